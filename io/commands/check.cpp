@@ -273,6 +273,18 @@ void addCheckOptions(CLI::App& c, CheckOptions& o) {
   c.add_flag("--json", o.json, "print the report, or the errors of the scene, as JSON");
 }
 
+std::string checkJson(const CheckOptions& options, MPI_Comm from) {
+  CheckOptions o = options;
+  o.json = true;
+  try {
+    const Communicator comm(from);
+    return jsonReport(makeReport(comm, o));
+  } catch (const std::runtime_error& e) {
+    const auto refusal = refusalOf(e);
+    return jsonErrors(o.scene, refusal ? refusal->message : o.scene + ": error: " + e.what());
+  }
+}
+
 int checkCommand(const CheckOptions& o) {
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // `thaw check SCENE`: reports what would be simulated.
 #pragma once
+#include <mpi.h>
+
 #include <string>
 #include <vector>
 
@@ -19,6 +21,9 @@ struct CheckOptions {
 };
 
 void addCheckOptions(CLI::App& command, CheckOptions& options);
+
+/// Returns the report of the scene, or its errors, as JSON. Collective over `comm`.
+std::string checkJson(const CheckOptions& options, MPI_Comm comm);
 
 /// Prints particles per body, memory, modules and why, the time step and what limits it, an estimate of the
 /// run time. Samples the bodies. Returns the exit code.

@@ -10,6 +10,18 @@
 namespace thaw {
 namespace {
 
+/// Marks a run as within a step, also if it ends by an exception.
+class Advancing {
+ public:
+  explicit Advancing(Run& r) : run_(r) { run_.advancing = true; }
+  ~Advancing() { run_.advancing = false; }
+  Advancing(const Advancing&) = delete;
+  Advancing& operator=(const Advancing&) = delete;
+
+ private:
+  Run& run_;
+};
+
 /// Takes a step, and records it in the trace.
 StepOutcome tracedStep(Run& r, Requests wanted) {
   const auto begin = StepTrace::Clock::now();
@@ -35,6 +47,7 @@ void writeWhatIsDue(Run& r, const StepOutcome& o, double before) {
 
 Advance advance(Run& r, StepLoop& loop) {
   World& w = r.world;
+  const Advancing mark(r);
   Requests wanted;
   const std::string reason = loop.stop.reason();
   const double before = w.clock.time;
@@ -49,7 +62,8 @@ Advance advance(Run& r, StepLoop& loop) {
   if (o.failure != Failure::None) return rollBack(r, o, loop.why) ? Advance::RolledBack : Advance::BlewUp;
   writeWhatIsDue(r, o, before);
   if (good || w.clock.time >= w.clock.end) warnOfInterpenetration(r);
-  if (good) acceptSnapshot(r);
+  if (r.edited) acceptEdit(r);
+  else if (good) acceptSnapshot(r);
   if (o.wanted.report) report(r);
   if (o.wanted.stop) {
     loop.why = reason.empty() ? "a signal to another rank" : reason;

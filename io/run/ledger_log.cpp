@@ -19,7 +19,7 @@ namespace {
 class Columns {
  public:
   template<class Value> void add(const std::string& name, const Value& value) {
-    list_.push_back({name, fmt::format("{}", value)});
+    list_.push_back({name, fmt::format("{}", value), static_cast<double>(value)});
   }
   void add(const std::string& name, const char* unit, const Vec3d& v) {
     for (int a = 0; a < 3; a++) add(fmt::format("{}_{}_{}", name, "xyz"[a], unit), v[a]);
@@ -28,12 +28,20 @@ class Columns {
     return joined([](const Column& c) { return c.name; });
   }
   std::string row() const {
-    return joined([](const Column& c) { return c.value; });
+    return joined([](const Column& c) { return c.text; });
+  }
+  void addTo(LedgerHistory& history, std::int64_t step) const {
+    std::vector<double> values;
+    for (const Column& c : list_) values.push_back(c.value);
+    if (history.names.empty())
+      for (const Column& c : list_) history.names.push_back(c.name);
+    history.rows.push_back({step, std::move(values)});
   }
 
  private:
   struct Column {
-    std::string name, value;
+    std::string name, text;
+    double value;
   };
   template<class Field> std::string joined(Field&& field) const {
     std::string line;
@@ -148,13 +156,15 @@ bool ledgerRowDue(const World& w, double before) {
 }
 
 void writeLedgerRow(Run& r) {
-  if (!r.writes()) return;
+  if (!r.writes() && !r.history) return;
   r.tools.times.start();
   const LedgerReport ledger = reportLedger(r.world, r.tools, r.all);
   const StoredParts parts = storedParts(r.world, r.tools, r.all);
+  const Columns columns = columnsOf(r.world.clock, ledger, parts);
+  if (r.history) columns.addTo(*r.history, r.world.clock.step);
   onDisk(r, [&] {
     std::ofstream file(ledgerLogPath(r.options.out), std::ios::app);
-    file << columnsOf(r.world.clock, ledger, parts).row();
+    file << columns.row();
     file.close();
     if (!file) throw IoError(ledgerLogPath(r.options.out), "cannot be written");
   });

@@ -53,6 +53,7 @@ void removeFramesAfterSnapshot(Run& r) {
     if (r.world.modules.surface) removeSurfaceFrames(r);
     removeBodyTypeFrames(r);
   });
+  if (r.history) r.history->removeAfter(r.world.clock.step);
 }
 
 /// Returns what was tried before the run gives up and why it does not try again, or "".
@@ -125,6 +126,13 @@ void acceptSnapshot(Run& r) {
   r.snapshotInMemory = true;
   r.snapshotOnDisk = false;
   r.tools.times.lap(StepPhase::Checkpoint);
+}
+
+void acceptEdit(Run& r) {
+  r.edited = false;
+  if (!retries(r)) return;
+  r.snapshotLedger = reportLedger(r.world, r.tools, r.all);
+  acceptSnapshot(r);
 }
 
 void writeLastSnapshot(Run& r) {

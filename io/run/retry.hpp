@@ -18,6 +18,9 @@ bool snapshotDue(const Run& run);
 Failure checkLedgerOf(Run& run);
 void acceptSnapshot(Run& run);
 
+/// Takes a snapshot of rows that the program has changed, so that a retry keeps the changes.
+void acceptEdit(Run& run);
+
 /// Returns whether a checkpoint needs no separate snapshot: without retries, or at the step of the last
 /// snapshot. Periodic checkpoints are delayed until then.
 bool atSnapshot(const Run& run);

@@ -21,6 +21,7 @@ struct RunOptions {
                            ///< step follows
   bool profile = false;    ///< phase table at the end, and a trace
   int traceSteps = 20;     ///< number of last steps in the trace
+  bool history = false;    ///< keep the rows of the ledger in memory
   double reportEvery = 2;  ///< s of wall-clock time between progress lines
   std::function<void(const std::string&)> log = {};  ///< receives each line of progress, news and warnings,
                                                      ///< on the first rank; none: the run is silent

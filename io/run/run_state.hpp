@@ -14,6 +14,7 @@
 #include "core/surface/update_surface.hpp"
 #include "io/checkpoint/checkpoint.hpp"
 #include "io/frames/series.hpp"
+#include "io/run/ledger_history.hpp"
 #include "io/run/reports/profile.hpp"
 #include "io/run/reports/summary.hpp"
 #include "io/run/run_options.hpp"
@@ -59,6 +60,9 @@ struct Run : MpiSimulation {
   std::vector<std::function<void()>> onStep, onFrame;  // functions of the program, called after each step
                                                        // and each frame
   bool stepping = false;                               // in the step loop, whose calls are collective
+  bool advancing = false;                              // within advance()
+  bool edited = false;                     // the program has changed rows, and no snapshot has them yet
+  std::unique_ptr<LedgerHistory> history;  // with RunOptions::history
 
   Run(const RunOptions& o, const Communicator& c) : MpiSimulation(c), options(o), comm(c) {}
   bool first() const { return comm.rank() == 0; }

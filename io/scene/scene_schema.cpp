@@ -196,11 +196,22 @@ class SchemaWriter {
       case Type::Table: return tableForm(inner(k));
       case Type::Tables: return tablesForm(define(inner(k)));
       case Type::NamedTables:
+        if (k.key == "extension" && k.table.empty()) return extensionsForm();
         return {{"type", "object"}, {"additionalProperties", tableForm(inner(k) + ".NAME")}};
       case Type::Expression:
       case Type::Other: break;
     }
     return formOfText(k);
+  }
+
+  /// Tables of the extensions of this program. Others are accepted, since programs differ.
+  Json extensionsForm() {
+    Json to{{"type", "object"}, {"additionalProperties", typed("object")}};
+    const std::string before = "extension.";
+    for (const KeyDescription& k : keys_)
+      if (k.table.rfind(before, 0) == 0 && k.table != before + "NAME")
+        to["properties"][k.table.substr(before.size())] = tableForm(k.table);
+    return to;
   }
 
   static bool isValue(const std::string& standard) {

@@ -3,44 +3,23 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <utility>
 
-#include "core/materials/enthalpy.hpp"
 #include "io/hdf5/collective_error.hpp"
 #include "io/hdf5/io_error.hpp"
 #include "io/run/advance.hpp"
+#include "io/run/failure_text.hpp"
 #include "io/run/open_run.hpp"
+#include "io/run/retry.hpp"
 #include "io/run/run_lock.hpp"
 #include "io/run/surface_run.hpp"
+#include "io/scene/check_built_scene.hpp"
 #include "io/scene/read_scene.hpp"
 #include "io/scene/scene_for_all.hpp"
+#include "io/simulation/edit.hpp"
 
 namespace thaw {
 namespace {
-
-/// Records the change of velocities and temperatures of the owned rows since the given ones in the ledger.
-/// Returns whether there is one. Enthalpies follow the temperatures.
-bool recordEdit(World& w, const std::vector<Vec3d>& velocity, const std::vector<double>& temperature) {
-  Continuum& p = w.particles;
-  Ledger& ledger = w.ledger;
-  bool changed = false;
-  for (std::size_t i = 0; i < p.owned; i++) {
-    const Vec3d dv = p.velocity[i] - velocity[i];
-    if (dv.x != 0 || dv.y != 0 || dv.z != 0) {
-      changed = true;
-      ledger.wallWork.add(0.5 * p.mass[i] * dot(dv, p.velocity[i] + velocity[i]));
-      for (int a = 0; a < 3; a++) ledger.wallImpulse[a].add(p.mass[i] * dv[a]);
-    }
-    if (temperature.empty() || p.temperature[i] == temperature[i]) continue;
-    changed = true;
-    const double f = p.liquid.active ? static_cast<double>(p.liquid[i]) : 0;
-    const double enthalpy = ledgerEnthalpy(w.scene.numerics.heat, w.scene.materials[p.material[i]],
-                                           p.temperature[i], f);
-    ledger.heatIn.add(p.mass[i] * (enthalpy - p.enthalpy[i]));
-    p.enthalpy[i] = enthalpy;
-  }
-  return changed;
-}
 
 std::string failureMessage(const std::string& scene, const std::exception& e) {
   if (const auto refusal = refusalOf(e)) return refusal->message;
@@ -49,24 +28,38 @@ std::string failureMessage(const std::string& scene, const std::exception& e) {
 
 }  // namespace
 
+namespace {
+
+/// Functions of the program, which a restored simulation keeps.
+struct Functions {
+  std::vector<std::function<void()>> onStep, onFrame, onEnd;
+  std::vector<std::pair<HookPhase, std::function<void()>>> onPhase;
+  std::vector<OutsideSource> loads;
+};
+
+}  // namespace
+
 struct Simulation::Parts {
   RunOptions options;
   Communicator comm;
-  RunLock lock;
+  std::unique_ptr<RunLock> lock = std::make_unique<RunLock>();
   Run run;
   StepLoop loop;
-  std::vector<std::function<void()>> onEnd;
+  Functions functions;
+  Scene given;           // with a folder, for restore()
   bool inPhase = false;  // a function of onPhase runs
   Opened opened = Opened::Ready;
   bool stopped = false, blewUp = false, finished = false;
-  bool restoredLoads = false;       // the checkpoint's accelerations contain the loads that are added next
-  std::vector<Vec3d> velocity;      // at the start of an edit, by owned row
-  std::vector<double> temperature;  // the same
+  bool restoredLoads = false;  // the checkpoint's accelerations contain the loads that are added next
+  Edit edit;
 
-  Parts(RunOptions o, MPI_Comm c) : options(std::move(o)), comm(c), run(options, comm) {}
+  Parts(RunOptions o, MPI_Comm c) : options(std::move(o)), comm(c), run(options, comm) {
+    if (options.history) run.history = std::make_unique<LedgerHistory>();
+  }
 
   /// Locks the folder and prepares the run. A failure leaves its summary.
   void open(Scene scene) {
+    if (run.writes()) given = scene;
     try {
       opened = openRun(run, std::move(scene));
       stopped = opened == Opened::StoppedInRelaxation;
@@ -86,7 +79,7 @@ struct Simulation::Parts {
       throw;
     } catch (const std::exception& e) {  // out of memory, a broken invariant: other ranks may go on
       summariseFailure(run, e.what(), false);
-      lock.release();
+      lock->release();
       throw;
     }
   }
@@ -95,8 +88,30 @@ struct Simulation::Parts {
       throw SceneErrors({options.scene + ": error: a restart needs the folder of a run"});
     std::string note;
     onDisk(run,
-           [&] { note = lock.take({.out = options.out, .ranks = comm.size(), .force = options.force}); });
+           [&] { note = lock->take({.out = options.out, .ranks = comm.size(), .force = options.force}); });
     if (!note.empty()) run.say(note);
+  }
+  /// Throws std::logic_error within a function of the program, or while an edit is open.
+  void refuseBusy(const char* what) const {
+    if (run.advancing || inPhase)
+      throw std::logic_error(fmt::format("{}: not possible within a step; do it after the step", what));
+    refuseEdit(what);
+  }
+  void refuseEdit(const char* what) const {
+    if (edit.open)
+      throw std::logic_error(fmt::format("{}: not possible while an edit is open; end it first", what));
+  }
+  void addToPhase(HookPhase phase, const std::function<void()>& call) {
+    run.tools.hooks.calls.at(static_cast<std::size_t>(phase)).push_back([this, call] {
+      inPhase = true;
+      try {
+        call();
+      } catch (...) {
+        inPhase = false;
+        throw;
+      }
+      inPhase = false;
+    });
   }
 };
 
@@ -110,13 +125,17 @@ Simulation::Simulation(RunOptions options, MPI_Comm comm)
 
 Simulation::Simulation(Scene scene, RunOptions options, MPI_Comm comm)
     : parts_(std::make_unique<Parts>(std::move(options), comm)) {
+  checkBuiltScene(scene, parts_->options.scene);
   parts_->takeLock();
   parts_->open(std::move(scene));
 }
 
 Simulation Simulation::fromText(const std::string& text, RunOptions options, MPI_Comm comm) {
   Scene scene = readScene(sceneFilesOf(options.scene, text), options.overrides);
-  return Simulation(std::move(scene), std::move(options), comm);
+  auto parts = std::make_unique<Parts>(std::move(options), comm);
+  parts->takeLock();
+  parts->open(std::move(scene));
+  return Simulation(std::move(parts));
 }
 
 Simulation::~Simulation() = default;
@@ -131,6 +150,7 @@ bool Simulation::atEnd() const {
 }
 
 bool Simulation::step() {
+  parts_->refuseBusy("step");
   if (atEnd()) return false;
   parts_->restoredLoads = false;
   switch (parts_->guarded([&] { return advance(parts_->run, parts_->loop); })) {
@@ -160,13 +180,14 @@ void Simulation::runSteps(std::int64_t count) {
 
 int Simulation::finish() {
   Parts& p = *parts_;
+  p.refuseBusy("finish");
   int code = p.blewUp ? exitBlewUp : p.stopped ? exitStopped : exitDone;
   if (!p.finished)
-    for (const auto& call : p.onEnd) call();
+    for (const auto& call : p.functions.onEnd) call();
   if (p.opened == Opened::Ready && !p.finished)
     code = p.guarded([&] { return finishRun(p.run, code, p.loop.why); });
   p.finished = true;
-  p.lock.release();
+  p.lock->release();
   return code;
 }
 
@@ -178,6 +199,11 @@ std::int64_t Simulation::steps() const { return parts_->run.world.clock.step; }
 const Scene& Simulation::scene() const { return parts_->run.world.scene; }
 const World& Simulation::world() const { return parts_->run.world; }
 const Continuum& Simulation::particles() const { return parts_->run.world.particles; }
+const Surfels& Simulation::surfels() const { return parts_->run.world.surface.surfels; }
+const Sheets& Simulation::sheets() const { return parts_->run.world.sheets.rows; }
+const Oriented& Simulation::oriented() const { return parts_->run.world.oriented.rows; }
+bool Simulation::writes() const { return parts_->run.writes(); }
+bool Simulation::busy() const { return parts_->run.advancing || parts_->inPhase; }
 World& Simulation::world() { return parts_->run.world; }
 MPI_Comm Simulation::communicator() const { return parts_->comm.handle(); }
 const std::vector<std::string>& Simulation::warnings() const { return parts_->run.summary.warnings; }
@@ -190,38 +216,66 @@ LedgerReport Simulation::ledger() {
 
 void Simulation::updateSurface() { updateSurfaceOf(parts_->run); }
 
+const LedgerHistory& Simulation::history() const {
+  if (!parts_->run.history) throw std::logic_error("history needs RunOptions::history");
+  return *parts_->run.history;
+}
+
 void Simulation::writeFrame() {
   if (!parts_->run.writes()) throw std::logic_error("a frame needs the folder of a run (RunOptions::out)");
+  parts_->refuseEdit("writeFrame");
   writeFrameOf(parts_->run);
 }
 
 void Simulation::writeCheckpoint() {
   if (!parts_->run.writes())
     throw std::logic_error("a checkpoint needs the folder of a run (RunOptions::out)");
+  parts_->refuseEdit("writeCheckpoint");
+  if (parts_->inPhase) throw std::logic_error("writeCheckpoint: not possible within a step");
   writeCheckpointOf(parts_->run);
 }
 
-void Simulation::onStep(std::function<void()> call) { parts_->run.onStep.push_back(std::move(call)); }
-void Simulation::onFrame(std::function<void()> call) { parts_->run.onFrame.push_back(std::move(call)); }
-void Simulation::onPhase(HookPhase phase, std::function<void()> call) {
-  const auto during = [parts = parts_.get(), call = std::move(call)] {
-    parts->inPhase = true;
-    try {
-      call();
-    } catch (...) {
-      parts->inPhase = false;
-      throw;
-    }
-    parts->inPhase = false;
-  };
-  parts_->run.tools.hooks.calls.at(static_cast<std::size_t>(phase)).push_back(during);
+void Simulation::restore() {
+  Parts& old = *parts_;
+  old.refuseBusy("restore");
+  if (!old.run.writes()) throw std::logic_error("restore needs the folder of a run (RunOptions::out)");
+  RunOptions options = old.options;
+  options.restart = true;
+  auto fresh = std::make_unique<Parts>(std::move(options), old.comm.handle());
+  fresh->open(old.given);
+  fresh->lock = std::move(old.lock);
+  fresh->functions = std::move(old.functions);
+  const Functions& f = fresh->functions;
+  Run& r = fresh->run;
+  r.onStep = f.onStep;
+  r.onFrame = f.onFrame;
+  for (const auto& [phase, call] : f.onPhase) fresh->addToPhase(phase, call);
+  Continuum& p = r.world.particles;
+  if (!f.loads.empty() && !p.outsideForce.active) p.activate(p.outsideForce);
+  r.tools.outside.insert(r.tools.outside.end(), f.loads.begin(), f.loads.end());
+  parts_ = std::move(fresh);
 }
-void Simulation::onEnd(std::function<void()> call) { parts_->onEnd.push_back(std::move(call)); }
+
+void Simulation::onStep(std::function<void()> call) {
+  parts_->functions.onStep.push_back(call);
+  parts_->run.onStep.push_back(std::move(call));
+}
+void Simulation::onFrame(std::function<void()> call) {
+  parts_->functions.onFrame.push_back(call);
+  parts_->run.onFrame.push_back(std::move(call));
+}
+void Simulation::onPhase(HookPhase phase, std::function<void()> call) {
+  parts_->addToPhase(phase, call);
+  parts_->functions.onPhase.emplace_back(phase, std::move(call));
+}
+void Simulation::onEnd(std::function<void()> call) { parts_->functions.onEnd.push_back(std::move(call)); }
 
 void Simulation::addForce(OutsideSource source) {
+  parts_->refuseBusy("addForce");
   Run& r = parts_->run;
   Continuum& p = r.world.particles;
   if (!p.outsideForce.active) p.activate(p.outsideForce);
+  parts_->functions.loads.push_back(source);
   r.tools.outside.push_back(std::move(source));
   if (!parts_->restoredLoads) applyNewCoefficients(r.world, r.halos(), r.tools);
 }
@@ -229,21 +283,29 @@ void Simulation::addForce(OutsideSource source) {
 Continuum& Simulation::beginEdit() {
   if (parts_->inPhase)
     throw std::logic_error("velocities and temperatures cannot be changed within a step: do it after a step");
-  const World& w = parts_->run.world;
-  const Continuum& p = w.particles;
-  parts_->velocity.assign(p.velocity.data(), p.velocity.data() + p.owned);
-  if (p.temperature.active) parts_->temperature.assign(p.temperature.data(), p.temperature.data() + p.owned);
+  parts_->refuseEdit("beginEdit");
+  parts_->edit = startEdit(parts_->run.world.particles);
   return parts_->run.world.particles;
 }
 
 bool Simulation::endEdit() {
+  if (!parts_->edit.open) throw std::logic_error("endEdit: no edit is open; call beginEdit first");
   Run& r = parts_->run;
-  const std::vector<Vec3d> velocity = std::exchange(parts_->velocity, {});
-  const std::vector<double> temperature = std::exchange(parts_->temperature, {});
-  double changed = recordEdit(r.world, velocity, temperature) ? 1 : 0;
-  r.all.maximum({&changed, 1});
-  if (changed == 0) return false;
+  Continuum& p = r.world.particles;
+  const Edit edit = std::exchange(parts_->edit, {});
+  std::string problem = editProblem(p, edit);
+  if (!problem.empty() && ranks() > 1) problem = fmt::format("rank {}: {}", rank(), problem);
+  double flags[] = {isEdited(p, edit) ? 1.0 : 0.0, problem.empty() ? 0.0 : 1.0};
+  r.all.maximum(flags);
+  if (flags[1] > 0) {
+    undoEdit(p, edit);
+    throw std::invalid_argument(broadcastFromOwner(r.comm, problem) + "; the changes are taken back");
+  }
+  if (flags[0] == 0) return false;
+  recordEdit(r.world, edit);
   applyNewCoefficients(r.world, r.halos(), r.tools);
+  r.edited = true;
+  if (!r.advancing) acceptEdit(r);
   return true;
 }
 

@@ -24,6 +24,7 @@
 
 namespace thaw {
 
+struct LedgerHistory;
 struct Run;
 class Communicator;
 
@@ -39,7 +40,8 @@ class Simulation {
   /// Throws SceneErrors, ShapeError, IoError or std::runtime_error, alike on all ranks.
   explicit Simulation(RunOptions options, MPI_Comm comm = MPI_COMM_WORLD);
   /// The same with a scene that the program made or changed, equal on all ranks. options.scene is a name for
-  /// messages and files. A restart compares the scene with that of the checkpoint.
+  /// messages and files. A restart compares the scene with that of the checkpoint. Throws SceneErrors for
+  /// values out of the ranges of scene files, and for references to materials that are not there.
   Simulation(Scene scene, RunOptions options, MPI_Comm comm = MPI_COMM_WORLD);
   /// The same with the text of a scene file (TOML), equal on all ranks; paths are relative to the working
   /// folder.
@@ -68,25 +70,38 @@ class Simulation {
   bool stopped() const;
   const std::string& stopReason() const;
 
-  double time() const;                 ///< s
-  double lastStep() const;             ///< s, length of the last step
-  std::int64_t steps() const;          ///< steps since the start of the scene
-  const Scene& scene() const;          ///< with all defaults resolved
-  const World& world() const;          ///< particles, surface, sheets, oriented bodies of this rank
-  World& world();                      ///< changes that a program makes here are in no ledger
-  const Continuum& particles() const;  ///< particles of this rank: columns with name, unit and meaning
-  MPI_Comm communicator() const;       ///< the simulation's own
+  double time() const;         ///< s
+  double lastStep() const;     ///< s, length of the last step
+  std::int64_t steps() const;  ///< steps since the start of the scene
+  const Scene& scene() const;  ///< with all defaults resolved
+  const World& world() const;  ///< particles, surface, sheets, oriented bodies of this rank
+  World& world();              ///< changes that a program makes here are in no ledger
+  /// Tables of this rank, each with columns that have name, unit and meaning; empty where the scene has none.
+  const Continuum& particles() const;
+  const Surfels& surfels() const;
+  const Sheets& sheets() const;
+  const Oriented& oriented() const;
+  bool writes() const;                               ///< it has a folder
+  bool busy() const;                                 ///< within a step: a function of the program runs
+  MPI_Comm communicator() const;                     ///< the simulation's own
   const std::vector<std::string>& warnings() const;  ///< on the first rank
   int rank() const;
   int ranks() const;
 
   /// The ledger over all ranks.
   LedgerReport ledger();
+  /// Rows of the ledger at the start, each frame and each output.ledger_every. Requires: RunOptions::history.
+  const LedgerHistory& history() const;
   /// Updates the surface to the current time. Requires: the scene has one.
   void updateSurface();
   /// Writes a frame or a checkpoint now. Requires: a folder.
   void writeFrame();
   void writeCheckpoint();
+  /// Goes back to the newest checkpoint in the folder, as a restart does, with all functions that were added.
+  /// Driven obstacles have to be made anew.
+  /// If it throws (SceneErrors without a checkpoint, IoError), the simulation is unchanged. Requires: a
+  /// folder.
+  void restore();
 
   /// Functions that are called after every step, and after every frame. They are called again for steps that
   /// a retry repeats.
@@ -105,7 +120,9 @@ class Simulation {
   void addForce(OutsideSource source);
   /// Lets the program change Continuum::velocity and temperature of owned rows between both calls. endEdit
   /// returns whether some rank changed one; forces and the next step are then computed anew. The ledger
-  /// records the change as work, impulse and heat from outside.
+  /// records the change as work, impulse and heat from outside, and retries keep it. In between no step is
+  /// possible. Both throw std::logic_error out of order. endEdit throws std::invalid_argument on all ranks
+  /// for values that are not finite and for temperatures below 0 K, and takes all changes back.
   Continuum& beginEdit();
   bool endEdit();
   /// Requests that all ranks stop after the next step; one rank suffices.

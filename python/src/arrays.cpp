@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "python/src/arrays.hpp"
 
+#include <algorithm>
 #include <cctype>
-#include <string>
+#include <utility>
 #include <vector>
 
 namespace py = pybind11;
 
 namespace thaw::python {
-namespace {
 
 py::dtype typeOf(Scalar s) {
   switch (s) {
@@ -22,22 +22,36 @@ py::dtype typeOf(Scalar s) {
   return py::dtype::of<std::uint8_t>();
 }
 
-py::array make(const py::dtype& type, void* data, std::size_t rows, int components, const ArrayCount& count) {
+py::array ColumnArrays::of(AnyColumn& c, std::size_t rows, bool writable) {
+  std::weak_ptr<KeptMemory>& place = kept_[&c];
+  std::shared_ptr<KeptMemory> memory = place.lock();
+  if (!memory) place = memory = std::make_shared<KeptMemory>();
   std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(rows)};
-  if (components > 1) shape.push_back(components);
-  return py::array(type, shape, data, py::cast(ArrayGuard(count)));
-}
-
-}  // namespace
-
-py::array arrayOf(AnyColumn& c, std::size_t rows, bool writable, const ArrayCount& count) {
-  py::array a = make(typeOf(c.scalar), c.bytes.data(), rows, c.components, count);
+  if (c.components > 1) shape.push_back(c.components);
+  py::array a(typeOf(c.scalar), shape, c.bytes.data(), py::cast(ArrayGuard{std::move(memory)}));
   if (!writable) a.attr("setflags")(py::arg("write") = false);
   return a;
 }
 
-py::array arrayOf(double* data, std::size_t rows, int components, const ArrayCount& count) {
-  return make(py::dtype::of<double>(), data, rows, components, count);
+void ColumnArrays::release() {
+  for (auto& [column, place] : kept_) {
+    const std::shared_ptr<KeptMemory> memory = place.lock();
+    if (!memory) continue;
+    AlignedVector<std::byte> copy = column->bytes;
+    memory->bytes = std::exchange(column->bytes, std::move(copy));
+  }
+  kept_.clear();
+}
+
+void ColumnArrays::releaseFromEnd() {
+  for (auto& [column, place] : kept_)
+    if (const std::shared_ptr<KeptMemory> memory = place.lock()) memory->bytes = std::move(column->bytes);
+  kept_.clear();
+}
+
+int ColumnArrays::count() const {
+  return static_cast<int>(
+      std::count_if(kept_.begin(), kept_.end(), [](const auto& one) { return !one.second.expired(); }));
 }
 
 std::string pythonName(const char* name) {

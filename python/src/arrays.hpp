@@ -3,35 +3,47 @@
 #pragma once
 #include <pybind11/numpy.h>
 
+#include <map>
 #include <memory>
+#include <string>
 
 #include "core/particles/column.hpp"
 
 namespace thaw::python {
 
-/// Number of arrays that Python holds of a simulation's columns. A step moves rows and memory, so none may be
-/// alive when one begins.
-using ArrayCount = std::shared_ptr<int>;
-
-/// Base object of an array: counts it while it, or an array made from it, is alive.
-class ArrayGuard {
- public:
-  explicit ArrayGuard(ArrayCount count) : count_(std::move(count)) { ++*count_; }
-  ~ArrayGuard() {
-    if (count_) --*count_;
-  }
-  ArrayGuard(ArrayGuard&& other) noexcept = default;
-  ArrayGuard(const ArrayGuard&) = delete;
-  ArrayGuard& operator=(const ArrayGuard&) = delete;
-
- private:
-  ArrayCount count_;
+/// Memory that outlives its column: empty while the column has it.
+struct KeptMemory {
+  AlignedVector<std::byte> bytes;
 };
 
-/// Returns an array of the first `rows` rows of a column, with the shape (rows,) or (rows, components).
-pybind11::array arrayOf(AnyColumn& column, std::size_t rows, bool writable, const ArrayCount& count);
-/// Returns an array over other memory of that form.
-pybind11::array arrayOf(double* data, std::size_t rows, int components, const ArrayCount& count);
+/// Base object of an array: keeps the memory of its values.
+struct ArrayGuard {
+  std::shared_ptr<KeptMemory> memory;
+};
+
+/// The arrays that Python holds of the columns of a simulation. They share the columns' memory until
+/// release(), which separates those that are still in use: they keep the memory with their last values, and
+/// the column gets a copy. No array thus reads freed memory, and none that is kept changes the simulation.
+class ColumnArrays {
+ public:
+  ColumnArrays() = default;
+  ColumnArrays(const ColumnArrays&) = delete;
+  ColumnArrays& operator=(const ColumnArrays&) = delete;
+  /// Returns an array of the first `rows` rows of a column, with the shape (rows,) or (rows, components).
+  pybind11::array of(AnyColumn& column, std::size_t rows, bool writable);
+  /// Separates all arrays. Requires: nobody else holds pointers to the columns' memory.
+  void release();
+  /// Gives the memory of all arrays away, before the columns end.
+  void releaseFromEnd();
+  /// Number of columns of which Python holds arrays.
+  int count() const;
+
+ private:
+  std::map<AnyColumn*, std::weak_ptr<KeptMemory>> kept_;
+};
+
+/// Type of the values of a column.
+pybind11::dtype typeOf(Scalar scalar);
 
 /// Returns the name in the style of Python: relativeDensity -> relative_density.
 std::string pythonName(const char* name);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "python/src/load_rows.hpp"
 
-#include <pybind11/stl.h>
-
 #include <cstring>
 #include <stdexcept>
 
@@ -28,58 +26,43 @@ bool isAdded(const Table& table, const AnyColumn& column) {
          static_cast<const Continuum&>(table).addedField(column.name) == &column;
 }
 
-void callLoad(const py::function& call, const OutsideLoad& load, const ArrayCount& count) {
-  const std::size_t n = load.particles.owned;
-  const int before = *count;
-  {
-    const py::object heat = load.heat ? py::object(arrayOf(load.heat, n, 1, count)) : py::none();
-    call(LoadRows(load.particles, count), load.time, arrayOf(&load.force->x, n, 3, count), heat);
-  }
-  if (*count > before)
-    throw std::runtime_error("a force or heat source keeps an array of the simulation; copy its values");
+Table& LoadRows::table() const {
+  if (!open_->table) throw std::runtime_error("the rows are valid during the call of the function only");
+  return *open_->table;
 }
 
-namespace {
+py::array LoadRows::view(const std::string&, const std::string& field, bool) const {
+  AnyColumn& column = columnOf(table(), field);
+  return open_->arrays->of(column, table().owned, isAdded(table(), column));
+}
 
-/// Keeps a function for ever: the registry outlives the interpreter.
-const py::function* keep(const py::object& function) { return new py::function(function); }
+RowsOfCall::RowsOfCall(Table& table, ProgramCalls& calls)
+    : calls_(calls), open_(std::make_shared<OpenRows>(OpenRows{&table, &calls.arrays})) {
+  calls_.depth++;
+}
 
-}  // namespace
+RowsOfCall::~RowsOfCall() {
+  calls_.depth--;
+  *open_ = {};
+  calls_.arrays.release();
+}
 
-void registerFunctions(const std::string& name, const std::string& about, const std::vector<KeyNote>& keys,
-                       const std::vector<AddedField>& fields, const ExtensionFunctions& functions) {
-  Extension e;
-  e.name = name;
-  e.about = about;
-  for (const auto& [key, unit, standard, least, most, meaning] : keys)
-    e.keys.push_back({key, unit, standard, least, most, meaning});
-  for (const auto& [field, unit, meaning, components, start] : fields)
-    e.fields.push_back({field, unit, meaning, components, start});
-  if (!functions.load.is_none())
-    e.load = [make = keep(functions.load)](const ExtensionSettings& settings) -> OutsideSource {
-      const py::gil_scoped_acquire python;
-      return [call = py::function((*make)(settings.values)),
-              count = std::make_shared<int>(0)](const OutsideLoad& on) {
-        const py::gil_scoped_acquire held;
-        callLoad(call, on, count);
-      };
-    };
-  if (!functions.update.is_none())
-    e.update = [make = keep(functions.update)](const ExtensionSettings& settings) -> FieldUpdate {
-      const py::gil_scoped_acquire python;
-      return [call = py::function((*make)(settings.values)),
-              count = std::make_shared<int>(0)](const FieldStep& on) {
-        const py::gil_scoped_acquire held;
-        callWithRows(call, on.particles, count, on.time, on.dt);
-      };
-    };
-  if (!functions.stepLimit.is_none())
-    e.stepLimit = [limit = keep(functions.stepLimit)](const ExtensionSettings& settings) {
-      const py::gil_scoped_acquire python;
-      return (*limit)(settings.values).cast<double>();
-    };
-  e.heats = functions.heats;
-  registerExtension(std::move(e));
+void callLoad(const Function& call, const OutsideLoad& load) {
+  ProgramCalls& calls = currentCalls();
+  const std::size_t n = load.particles.owned;
+  const RowsOfCall of(load.particles, calls);
+  // A source adds to the column itself. Heat is in no column, so that its array is added afterwards.
+  const py::array force = calls.arrays.of(load.particles.outsideForce, n, true);
+  py::object heat = py::none();
+  if (load.heat) {
+    py::array_t<double> flow(static_cast<py::ssize_t>(n));
+    std::fill_n(flow.mutable_data(), n, 0.0);
+    heat = flow;
+  }
+  (*call)(of.rows(), load.time, force, heat);
+  if (!load.heat) return;
+  const double* flow = heat.cast<py::array_t<double>>().data();
+  for (std::size_t i = 0; i < n; i++) load.heat[i] += flow[i];
 }
 
 }  // namespace thaw::python

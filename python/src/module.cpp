@@ -7,10 +7,12 @@
 #include <pybind11/stl.h>
 
 #include "core/geometry/basic/shape_error.hpp"
+#include "io/commands/check.hpp"
 #include "io/hdf5/io_error.hpp"
 #include "io/scene/read_scene.hpp"
 #include "python/src/obstacle.hpp"
 #include "python/src/python_simulation.hpp"
+#include "python/src/register_functions.hpp"
 
 namespace py = pybind11;
 
@@ -75,8 +77,11 @@ void defineSimulation(py::module_& m) {
       .def("view", &PythonSimulation::view, py::arg("table"), py::arg("field"), py::arg("writable"))
       .def("gather", &PythonSimulation::gather, py::arg("table"), py::arg("field"))
       .def("arrays", &PythonSimulation::arrays)
-      .def("begin_edit", &PythonSimulation::beginEdit)
-      .def("end_edit", &PythonSimulation::endEdit)
+      .def("history", &PythonSimulation::history)
+      .def("begin_block", &PythonSimulation::beginBlock, py::arg("table"), py::arg("edit"))
+      .def("end_block", &PythonSimulation::endBlock, py::arg("edit"))
+      .def("refuse_close", &PythonSimulation::refuseClose)
+      .def("restore", &PythonSimulation::restore)
       .def("write_frame", &PythonSimulation::writeFrame)
       .def("write_checkpoint", &PythonSimulation::writeCheckpoint)
       .def("on_step", &PythonSimulation::onStep)
@@ -84,6 +89,23 @@ void defineSimulation(py::module_& m) {
       .def("on_phase", &PythonSimulation::onPhase, py::arg("phase"), py::arg("call"))
       .def("on_end", &PythonSimulation::onEnd)
       .def("add_load", &PythonSimulation::addLoad);
+}
+
+/// Each rank checks alone, so that one may do so.
+std::string checkOf(const std::string& path, const std::vector<std::string>& overrides, int ranks) {
+  ProgramCalls calls;
+  std::string report;
+  {
+    const CallScope scope(calls);
+    const py::gil_scoped_release others;
+    CheckOptions o;
+    o.scene = path;
+    o.overrides = overrides;
+    o.ranks = ranks;
+    report = checkJson(o, MPI_COMM_SELF);
+  }
+  if (calls.failed) throwFailure(calls, {});
+  return report;
 }
 
 }  // namespace
@@ -111,6 +133,8 @@ PYBIND11_MODULE(_core, m) {
       },
       py::arg("name"), py::arg("about"), py::arg("keys"), py::arg("fields"), py::arg("load"),
       py::arg("update"), py::arg("step_limit"), py::arg("heats"));
+  m.def("check", &checkOf, py::arg("path"), py::arg("overrides"), py::arg("ranks"),
+        "The report of `thaw check --json` on a file, as JSON.");
   m.def("documentation", &sceneDocumentation, "The key table of scene files, as Markdown.");
   m.def("schema", &sceneSchema, "The JSON schema of scene files.");
   m.def("example", &exampleScene, "A small complete scene, as TOML.");

@@ -7,7 +7,9 @@
 #include <chrono>
 #include <cstring>
 #include <numeric>
+#include <stdexcept>
 
+#include "io/run/ledger_history.hpp"
 #include "io/scene/read_scene.hpp"
 
 namespace py = pybind11;
@@ -22,6 +24,7 @@ RunOptions runOptions(const Options& given, const py::object& log) {
     return at == given.end() ? std::string() : at->second;
   };
   o.scene = text("scene");
+  o.history = true;
   o.out = text("out");
   o.restart = !text("restart").empty();
   o.resume = !text("resume").empty();
@@ -31,14 +34,12 @@ RunOptions runOptions(const Options& given, const py::object& log) {
   for (const auto& [key, value] : given)
     if (key.rfind("set ", 0) == 0) o.overrides.push_back(key.substr(4) + "=" + value);
   if (!log.is_none())
-    o.log = [call = py::function(log)](const std::string& line) {
-      const py::gil_scoped_acquire python;
-      call(line);
-    };
+    o.log = [call = keepFunction(log)](const std::string& line) { guarded([&] { (*call)(line); }); };
   return o;
 }
 
-Simulation make(const std::string& text, RunOptions options, std::optional<int> comm) {
+Simulation make(const std::string& text, RunOptions options, std::optional<int> comm, ProgramCalls& calls) {
+  const CallScope scope(calls);
   const MPI_Comm handle = comm ? MPI_Comm_f2c(*comm) : MPI_COMM_WORLD;
   const py::gil_scoped_release others;
   return text.empty() ? Simulation(std::move(options), handle)
@@ -60,119 +61,220 @@ std::vector<std::byte> allRows(MPI_Comm comm, const std::byte* mine, std::size_t
 
 }  // namespace
 
+/// Marks the simulation as in use by this thread, and its functions as those that it calls.
+class PythonSimulation::Busy {
+ public:
+  explicit Busy(PythonSimulation& s) : sim_(s), before_(s.busy_), scope_(*s.calls_) {
+    s.busy_ = std::this_thread::get_id();
+  }
+  ~Busy() { sim_.busy_ = before_; }
+  Busy(const Busy&) = delete;
+  Busy& operator=(const Busy&) = delete;
+
+ private:
+  PythonSimulation& sim_;
+  std::thread::id before_;
+  CallScope scope_;
+};
+
+template<class Work> auto PythonSimulation::together(const Work& work) {
+  refuseOtherThread();
+  const Busy busy(*this);
+  SharedFailure failure;
+  std::optional<decltype(work(failure))> result;
+  {
+    const py::gil_scoped_release others;
+    result = work(failure);
+  }
+  if (failure) endRun(failure);
+  return *result;
+}
+
 PythonSimulation::PythonSimulation(const std::string& text, const Options& options, const py::object& log,
                                    std::optional<int> comm)
-    : sim_(make(text, runOptions(options, log), comm)) {}
+    : sim_(make(text, runOptions(options, log), comm, *calls_)), hasCalls_(!sim_.scene().extensions.empty()) {
+  together(
+      [&](SharedFailure& failure) { return failure = shareFailure(*calls_, sim_.communicator()), true; });
+}
 
-void PythonSimulation::refuseArrays(const char* what) const {
-  if (*count_ > 0)
-    throw std::runtime_error(
-        std::string(what) + ": " + std::to_string(*count_) +
-        " arrays of this simulation are still in use; delete them, or copy their values");
+PythonSimulation::~PythonSimulation() { calls_->arrays.releaseFromEnd(); }
+
+void PythonSimulation::refuseOtherThread() const {
+  if (busy_ != std::thread::id() && busy_ != std::this_thread::get_id())
+    throw std::runtime_error("another thread is stepping this simulation; wait until it has ended");
+}
+
+void PythonSimulation::refuseChange(const char* what) const {
+  refuseOtherThread();
+  if (blocks_ > 0)
+    throw std::runtime_error(std::string(what) +
+                             ": not possible in a block `with sim.local()`; end it first");
+  if (sim_.busy() || calls_->depth > 0)
+    throw std::runtime_error(std::string(what) +
+                             ": not possible within a step; do it after sim.run() or sim.step()");
+}
+
+void PythonSimulation::endRun(const SharedFailure& failure) {
+  if (!sim_.busy()) sim_.resume();
+  throwFailure(*calls_, failure);
 }
 
 void PythonSimulation::lookForSignals() {
+  if (stopRequested_.exchange(false)) sim_.requestStop();
   const py::gil_scoped_acquire python;
-  if (failed_ || PyErr_CheckSignals() == 0) return;
-  failed_.emplace();
-  sim_.requestStop();
+  if (!calls_->failed && PyErr_CheckSignals() != 0) calls_->failed.emplace();
+  if (calls_->failed) sim_.requestStop();  // for other ranks
 }
 
-/// Takes a step. Returns nothing if a function of the program, or a signal, ended it: `failed_` is then set.
-std::optional<bool> PythonSimulation::tryStep() {
-  const bool stepped = sim_.step();
+bool PythonSimulation::tryStep(bool share, SharedFailure& failure) {
+  const MPI_Comm comm = sim_.communicator();
+  bool stepped = false;
+  try {
+    stepped = sim_.step();
+  } catch (const BlewUp&) {  // perhaps since a function of the program has failed; all ranks are here
+    failure = shareFailure(*calls_, comm);
+    if (failure) return false;
+    throw;
+  }
   lookForSignals();
-  // With several ranks the others stop after their next step, which this rank takes, too.
-  if (failed_ && (sim_.ranks() == 1 || sim_.stopped() || !stepped)) return std::nullopt;
-  return stepped;
+  if (share || sim_.stopped() || !stepped || (sim_.ranks() == 1 && calls_->failed))
+    failure = shareFailure(*calls_, comm);
+  if (failure.interrupt && sim_.writes()) sim_.writeCheckpoint();
+  return stepped && !failure;
 }
 
 bool PythonSimulation::step() {
-  refuseArrays("step");
-  std::optional<bool> stepped;
-  {
-    const py::gil_scoped_release others;
-    do stepped = tryStep();
-    while (stepped && failed_);
-  }
-  if (failed_) {
-    py::error_already_set error = std::move(*failed_);
-    failed_.reset();
-    sim_.resume();
-    throw error;
-  }
-  return stepped.value_or(false);
+  refuseChange("step");
+  return together([&](SharedFailure& failure) { return tryStep(sim_.ranks() > 1, failure); });
 }
+
+/// Returns whether some rank has functions that steps call. Collective.
+bool PythonSimulation::anyRankCalls() const {
+  int calls = hasCalls_ ? 1 : 0;
+  MPI_Allreduce(MPI_IN_PLACE, &calls, 1, MPI_INT, MPI_MAX, sim_.communicator());
+  return calls != 0;
+}
+
+namespace {
+
+/// Sets the end of the next steps, and sets it back.
+class TemporaryEnd {
+ public:
+  TemporaryEnd(Simulation& sim, double end) : sim_(sim) { sim_.setEnd(end); }
+  ~TemporaryEnd() { sim_.setEnd(sim_.scene().end); }
+  TemporaryEnd(const TemporaryEnd&) = delete;
+  TemporaryEnd& operator=(const TemporaryEnd&) = delete;
+
+ private:
+  Simulation& sim_;
+};
+
+}  // namespace
 
 void PythonSimulation::run(std::optional<double> until, std::optional<std::int64_t> steps,
                            const py::object& progress) {
   using Clock = std::chrono::steady_clock;
-  refuseArrays("run");
+  refuseChange("run");
+  const double last = until.value_or(end());
   const auto show = [&] {
-    const py::gil_scoped_acquire python;
-    progress(sim_.time(), until.value_or(end()), sim_.steps());
+    if (!progress.is_none()) guarded([&] { progress(sim_.time(), last, sim_.steps()); });
   };
   auto shown = Clock::now();
-  const double last = until.value_or(end());
   std::int64_t left = steps.value_or(INT64_MAX);
-  {
-    const py::gil_scoped_release others;
-    sim_.setEnd(last);
-    while (left-- > 0 && tryStep().value_or(false)) {
-      if (progress.is_none() || Clock::now() - shown < std::chrono::seconds(1)) continue;
+  together([&](SharedFailure& failure) {
+    const TemporaryEnd temporary(sim_, last);
+    const bool share = sim_.ranks() > 1 && anyRankCalls();
+    while (left-- > 0 && tryStep(share, failure)) {
+      if (Clock::now() - shown < std::chrono::seconds(1)) continue;
       show();
       shown = Clock::now();
     }
-    sim_.setEnd(end());
-  }
-  if (!progress.is_none()) show();
-  if (!failed_) return;
-  py::error_already_set error = std::move(*failed_);
-  failed_.reset();
-  sim_.resume();
-  throw error;
+    if (!failure) show();
+    return true;
+  });
 }
 
 int PythonSimulation::finish() {
-  refuseArrays("finish");
-  int code = 0;
-  {
-    const py::gil_scoped_release others;
-    code = sim_.finish();
-  }
-  if (failed_) {  // a function of on_end raised it
-    py::error_already_set error = std::move(*failed_);
-    failed_.reset();
-    throw error;
-  }
-  return code;
+  refuseChange("finish");
+  return together([&](SharedFailure& failure) {
+    const int code = sim_.finish();
+    failure = shareFailure(*calls_, sim_.communicator());
+    return code;
+  });
 }
 
+void PythonSimulation::restore() {
+  refuseChange("restore");
+  together([&](SharedFailure& failure) {
+    calls_->arrays.release();
+    sim_.restore();
+    failure = shareFailure(*calls_, sim_.communicator());
+    return true;
+  });
+}
+
+std::pair<std::vector<std::string>, py::array_t<double>> PythonSimulation::history() const {
+  const LedgerHistory& h = sim().history();
+  py::array_t<double> values({h.rows.size(), h.names.size()});
+  double* to = values.mutable_data();
+  for (const LedgerHistory::Row& row : h.rows) to = std::copy(row.values.begin(), row.values.end(), to);
+  return {h.names, values};
+}
+
+namespace {
+
+using Ledgers = std::map<std::string, double>;
+
+void addVector(Ledgers& to, const std::string& name, const Vec3d& v) {
+  for (int a = 0; a < 3; a++) to[name + "_" + "xyz"[a]] = v[a];
+}
+
+/// Adds what has entered or left through openings and open sides.
+void addFlow(Ledgers& to, const std::string& name, const Balance& flow) {
+  to[name + "_mass"] = flow.mass;
+  to[name + "_kinetic"] = flow.kinetic;
+  to[name + "_elastic"] = flow.elastic;
+  to[name + "_potential"] = flow.potential;
+  to[name + "_internal"] = flow.internal;
+  addVector(to, name + "_momentum", flow.momentum);
+}
+
+}  // namespace
+
 std::map<std::string, double> PythonSimulation::ledger() {
-  const LedgerReport l = sim_.ledger();
-  return {{"mass", l.now.mass},
-          {"kinetic", l.now.kinetic},
-          {"elastic", l.now.elastic},
-          {"potential", l.now.potential},
-          {"internal", l.now.internal},
-          {"dissipated", l.dissipated},
-          {"outside_work", l.wallWork},
-          {"heat_in", l.heatIn},
-          {"phase_jump", l.phaseJump},
-          {"energy_residual", l.energyResidual},
-          {"energy_scale", l.energyLargest},
-          {"heat_residual", l.heatResidual},
-          {"heat_scale", l.heatScale},
-          {"mass_residual", l.massResidual},
-          {"momentum_x", l.now.momentum.x},
-          {"momentum_y", l.now.momentum.y},
-          {"momentum_z", l.now.momentum.z},
-          {"liquid_fraction", l.liquidFraction},
-          {"particles", static_cast<double>(l.particles)}};
+  LedgerReport l;
+  together([&](SharedFailure&) { return l = sim_.ledger(), true; });
+  Ledgers all{{"time", sim_.time()},
+              {"mass", l.now.mass},
+              {"kinetic", l.now.kinetic},
+              {"elastic", l.now.elastic},
+              {"potential", l.now.potential},
+              {"internal", l.now.internal},
+              {"dissipated", l.dissipated},
+              {"outside_work", l.wallWork},
+              {"wall_work", l.wallWork},
+              {"heat_in", l.heatIn},
+              {"phase_jump", l.phaseJump},
+              {"restart_jump", l.restartJump},
+              {"energy_residual", l.energyResidual},
+              {"energy_scale", l.energyLargest},
+              {"heat_residual", l.heatResidual},
+              {"heat_scale", l.heatScale},
+              {"mass_residual", l.massResidual},
+              {"liquid_fraction", l.liquidFraction},
+              {"particles", static_cast<double>(l.particles)}};
+  addVector(all, "momentum", l.now.momentum);
+  addVector(all, "momentum_residual", l.momentumResidual);
+  addVector(all, "angular_momentum", l.now.angularMomentum);
+  addVector(all, "wall_impulse", l.wallImpulse);
+  addVector(all, "gravity_impulse", l.gravityImpulse);
+  addFlow(all, "entered", l.entered);
+  addFlow(all, "left", l.left);
+  return all;
 }
 
 std::vector<std::string> PythonSimulation::tables() {
-  const Modules& m = sim_.world().modules;
+  const Modules& m = sim().world().modules;
   std::vector<std::string> names{"particles"};
   if (m.solid) names.emplace_back("solids");
   if (m.surface) names.emplace_back("surfels");
@@ -182,7 +284,7 @@ std::vector<std::string> PythonSimulation::tables() {
 }
 
 Table& PythonSimulation::tableOf(const std::string& name) {
-  World& w = sim_.world();
+  World& w = sim().world();
   if (name == "particles") return w.particles;
   if (name == "solids") return w.solids;
   if (name == "surfels") return w.surface.surfels;
@@ -196,29 +298,29 @@ std::size_t PythonSimulation::rows(const std::string& table) { return tableOf(ta
 std::vector<FieldNote> PythonSimulation::fields(const std::string& table) { return notesOf(tableOf(table)); }
 
 py::array PythonSimulation::view(const std::string& table, const std::string& field, bool writable) {
+  if (blocks_ == 0) throw std::runtime_error("rows are valid in a block `with sim.local()` only");
   Table& rows = tableOf(table);
   AnyColumn& column = columnOf(rows, field);
-  return arrayOf(column, rows.owned, writable || isAdded(rows, column), count_);
+  return calls_->arrays.of(column, rows.owned, writable || isAdded(rows, column));
 }
 
 py::array PythonSimulation::gather(const std::string& table, const std::string& field) {
   const Table& t = tableOf(table);
   AnyColumn &id = columnOf(tableOf(table), "id"), &column = columnOf(tableOf(table), field);
   std::vector<std::byte> ids, values;
-  {
-    const py::gil_scoped_release others;
+  together([&](SharedFailure&) {
     ids = allRows(sim_.communicator(), id.bytes.data(), t.owned * id.elementBytes);
     values = allRows(sim_.communicator(), column.bytes.data(), t.owned * column.elementBytes);
-  }
+    return true;
+  });
   std::vector<std::uint64_t> key(ids.size() / 8);
   std::memcpy(key.data(), ids.data(), ids.size());
   std::vector<std::size_t> order(key.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key[a] < key[b]; });
-  const py::array model = arrayOf(column, 0, false, count_);  // for its type
   std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(key.size())};
   if (column.components > 1) shape.push_back(column.components);
-  py::array result(model.dtype(), shape);
+  py::array result(typeOf(column.scalar), shape);
   auto* to = static_cast<std::byte*>(result.mutable_data());
   for (std::size_t k = 0; k < order.size(); k++)
     std::memcpy(to + k * column.elementBytes, values.data() + order[k] * column.elementBytes,
@@ -226,44 +328,51 @@ py::array PythonSimulation::gather(const std::string& table, const std::string& 
   return result;
 }
 
-bool PythonSimulation::endEdit() {
-  const py::gil_scoped_release others;
-  return sim_.endEdit();
+void PythonSimulation::beginBlock(const std::string& table, bool edit) {
+  tableOf(table);  // throws for an unknown one
+  if (calls_->depth > 0)
+    throw std::runtime_error(
+        "sim.local(): not possible in a function that is called within a step; it gets its rows");
+  if (edit) sim_.beginEdit();
+  blocks_++;
+}
+
+void PythonSimulation::endBlock(bool edit) {
+  refuseOtherThread();
+  blocks_--;
+  calls_->arrays.release();
+  if (!edit) return;
+  together([&](SharedFailure& failure) {
+    const bool changed = sim_.endEdit();
+    if (changed && !sim_.busy()) failure = shareFailure(*calls_, sim_.communicator());
+    return changed;
+  });
 }
 
 void PythonSimulation::writeFrame() {
-  const py::gil_scoped_release others;
-  sim_.writeFrame();
+  refuseOtherThread();
+  if (blocks_ > 0) refuseChange("write_frame");
+  together([&](SharedFailure& failure) {
+    sim_.writeFrame();  // with functions of on_frame
+    if (!sim_.busy()) failure = shareFailure(*calls_, sim_.communicator());
+    return true;
+  });
 }
 
 void PythonSimulation::writeCheckpoint() {
-  const py::gil_scoped_release others;
-  sim_.writeCheckpoint();
+  refuseOtherThread();
+  if (blocks_ > 0) refuseChange("write_checkpoint");
+  together([&](SharedFailure&) { return sim_.writeCheckpoint(), true; });
 }
-
-namespace {
-
-/// Calls a function of the program. Its error is kept: the step has to end first.
-template<class Call>
-void guarded(std::optional<py::error_already_set>& failed, Simulation& sim, const Call& call) {
-  const py::gil_scoped_acquire python;
-  if (failed) return;
-  try {
-    call();
-  } catch (py::error_already_set& e) {
-    failed = std::move(e);
-    sim.requestStop();
-  }
-}
-
-}  // namespace
 
 void PythonSimulation::onStep(const py::function& call) {
-  sim_.onStep([this, call] { guarded(failed_, sim_, [&] { call(); }); });
+  hasCalls_ = true;
+  sim().onStep([f = keepFunction(call)] { guarded([&] { (*f)(); }); });
 }
 
 void PythonSimulation::onFrame(const py::function& call) {
-  sim_.onFrame([this, call] { guarded(failed_, sim_, [&] { call(); }); });
+  hasCalls_ = true;
+  sim().onFrame([f = keepFunction(call)] { guarded([&] { (*f)(); }); });
 }
 
 void PythonSimulation::onPhase(const std::string& phase, const py::function& call) {
@@ -274,18 +383,23 @@ void PythonSimulation::onPhase(const std::string& phase, const py::function& cal
       names += (names.empty() ? "" : ", ") + std::string(name);
     throw std::invalid_argument("unknown phase '" + phase + "'; a step has " + names);
   }
-  sim_.onPhase(static_cast<HookPhase>(at - hookPhaseNames.begin()), [this, call] {
-    guarded(failed_, sim_, [&] { callWithRows(call, sim_.world().particles, count_, sim_.time()); });
+  hasCalls_ = true;
+  sim().onPhase(static_cast<HookPhase>(at - hookPhaseNames.begin()), [this, f = keepFunction(call)] {
+    guarded([&] { callWithRows(f, sim_.world().particles, sim_.time()); });
   });
 }
 
 void PythonSimulation::onEnd(const py::function& call) {
-  sim_.onEnd([this, call] { guarded(failed_, sim_, [&] { call(); }); });
+  sim().onEnd([f = keepFunction(call)] { guarded([&] { (*f)(); }); });
 }
 
 void PythonSimulation::addLoad(const py::function& call) {
-  sim_.addForce([this, call](const OutsideLoad& load) {
-    guarded(failed_, sim_, [&] { callLoad(call, load, count_); });
+  refuseChange("add_force");
+  hasCalls_ = true;
+  together([&, f = keepFunction(call)](SharedFailure& failure) {
+    sim_.addForce([f](const OutsideLoad& load) { guarded([&] { callLoad(f, load); }); });
+    failure = shareFailure(*calls_, sim_.communicator());
+    return true;
   });
 }
 

@@ -4,9 +4,12 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <atomic>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "io/simulation/simulation.hpp"
@@ -17,42 +20,58 @@ namespace thaw::python {
 /// Keyword options of thaw.Simulation: text values by name; flags are "1".
 using Options = std::map<std::string, std::string>;
 
+/// All functions throw std::runtime_error while another thread is in one of them. Those that change the
+/// simulation throw it within a block of rows and within a function of the program that a step calls.
+/// An exception of such a function is thrown at the end of the step on all ranks.
 class PythonSimulation {
  public:
   /// text: TOML, or "" for the file options["scene"]. log: called with each line, or None. comm: a Fortran
   /// handle of a communicator, or nothing for all ranks.
   PythonSimulation(const std::string& text, const Options& options, const pybind11::object& log,
                    std::optional<int> comm);
+  ~PythonSimulation();
+  PythonSimulation(const PythonSimulation&) = delete;
+  PythonSimulation& operator=(const PythonSimulation&) = delete;
 
   bool step();
   /// Steps to a time, for a number of steps, or to the end. progress: called about once a second, or None.
   void run(std::optional<double> until, std::optional<std::int64_t> steps, const pybind11::object& progress);
   int finish();
-  void resume() { sim_.resume(); }
-  void requestStop() { sim_.requestStop(); }
-  bool stopped() const { return sim_.stopped(); }
-  std::string stopReason() const { return sim_.stopReason(); }
-  double time() const { return sim_.time(); }
-  double end() const { return sim_.scene().end; }
-  double lastStep() const { return sim_.lastStep(); }
-  std::int64_t steps() const { return sim_.steps(); }
-  int rank() const { return sim_.rank(); }
-  int ranks() const { return sim_.ranks(); }
-  std::vector<std::string> warnings() const { return sim_.warnings(); }
-  Simulation& simulation() { return sim_; }
+  void restore();
+  /// Throws std::runtime_error if the simulation cannot end now.
+  void refuseClose() const { refuseChange("close"); }
+  void resume() { sim().resume(); }
+  /// Another thread may call it, too.
+  void requestStop() { stopRequested_ = true; }
+  bool stopped() const { return sim().stopped(); }
+  std::string stopReason() const { return sim().stopReason(); }
+  double time() const { return sim().time(); }
+  double end() const { return sim().scene().end; }
+  double lastStep() const { return sim().lastStep(); }
+  std::int64_t steps() const { return sim().steps(); }
+  int rank() const { return sim().rank(); }
+  int ranks() const { return sim().ranks(); }
+  std::vector<std::string> warnings() const { return sim().warnings(); }
+  Simulation& simulation() { return sim(); }
   std::map<std::string, double> ledger();
+  /// Names of columns, and the rows of the ledger over time, of shape (rows, columns).
+  std::pair<std::vector<std::string>, pybind11::array_t<double>> history() const;
 
   /// Names of the tables that the scene has: particles, solids, surfels, oriented, sheets.
   std::vector<std::string> tables();
   std::size_t rows(const std::string& table);
   /// (name, unit, meaning, components) of the active fields.
   std::vector<FieldNote> fields(const std::string& table);
+  /// Requires: an open block.
   pybind11::array view(const std::string& table, const std::string& field, bool writable);
   /// The field of all ranks, sorted by id. Collective.
   pybind11::array gather(const std::string& table, const std::string& field);
-  int arrays() const { return *count_; }
-  void beginEdit() { sim_.beginEdit(); }
-  bool endEdit();
+  /// Number of columns of which the program holds arrays.
+  int arrays() const { return calls_->arrays.count(); }
+  /// Opens a block of rows. edit: velocities and temperatures of particles may be changed.
+  void beginBlock(const std::string& table, bool edit);
+  /// Ends it, and separates arrays that are still in use.
+  void endBlock(bool edit);
   void writeFrame();
   void writeCheckpoint();
 
@@ -65,15 +84,29 @@ class PythonSimulation {
   void addLoad(const pybind11::function& call);
 
  private:
+  class Busy;
+  void refuseOtherThread() const;
+  void refuseChange(const char* what) const;
+  const Simulation& sim() const { return refuseOtherThread(), sim_; }
+  Simulation& sim() { return refuseOtherThread(), sim_; }
   Table& tableOf(const std::string& name);
-  void refuseArrays(const char* what) const;
+  /// Runs `work`, in which all ranks meet, without the interpreter's lock. Throws exceptions of functions of
+  /// the program afterwards.
+  template<class Work> auto together(const Work& work);
   /// Notes a pending signal such as Ctrl-C. All ranks then stop after the step.
   void lookForSignals();
-  std::optional<bool> tryStep();
+  /// Takes a step. share: ranks compare their failures afterwards. Otherwise they do so when all have
+  /// stopped.
+  bool tryStep(bool share, SharedFailure& failure);
+  void endRun(const SharedFailure& failure);
+  bool anyRankCalls() const;
 
-  ArrayCount count_ = std::make_shared<int>(0);
-  std::optional<pybind11::error_already_set> failed_;  // error of a function of the program, or a signal
+  std::unique_ptr<ProgramCalls> calls_ = std::make_unique<ProgramCalls>();
   Simulation sim_;
+  bool hasCalls_ = false;      // this rank has functions that steps call
+  int blocks_ = 0;             // open blocks of rows
+  std::thread::id busy_ = {};  // thread in a function of the simulation; guarded by the interpreter's lock
+  std::atomic<bool> stopRequested_ = false;
 };
 
 }  // namespace thaw::python

@@ -2,12 +2,15 @@
 """Simulations from Python, on any number of ranks: mpirun -n 3 python3 -m pytest test_simulation.py"""
 
 import gc
+import operator
 import os
 import resource
 import signal
 import subprocess
 import sys
 import tempfile
+import threading
+import weakref
 
 import numpy as np
 import pytest
@@ -20,6 +23,7 @@ try:
 except ImportError:
     COMM = None
 RANKS = COMM.size if COMM else 1
+LAUNCHER = ('OMPI_COMM_', 'OMPI_UNIVERSE', 'OMPI_MCA_orte', 'OMPI_MCA_ess', 'OMPI_APP', 'PMIX', 'PMI_')
 PROGRAM = os.environ.get('THAW_PROGRAM', 'thaw')
 SCENES = os.environ.get('THAW_SCENES', os.path.join(os.path.dirname(__file__), '../../scenes'))
 
@@ -100,14 +104,132 @@ def test_arrays_share_the_memory_of_the_simulation():
         p['position']
 
 
-def test_no_step_while_an_array_is_in_use():
+def test_arrays_end_with_their_block():
     sim = thaw.Simulation(drop())
     with sim.local() as p:
-        half = p.position[::2]
-    with pytest.raises(RuntimeError, match='still in use'):
-        sim.step()
-    del half
+        position, half, plain = p.position, p.velocity[::2], np.asarray(p.velocity)
+        before = plain.copy()
+        copies = p.position.copy(), p.position + 0, p.position[p.mass > 0]
+    for access in (
+        lambda: position[0],
+        lambda: position.sum(),
+        lambda: half + 1,
+        lambda: np.concatenate([position, position]),
+        lambda: half.__setitem__(0, 1),
+        lambda: half.__iadd__(1),
+        lambda: len(position),
+        lambda: position.copy(),
+        lambda: len(p),
+        lambda: p.fields(),
+        lambda: p.position,
+    ):
+        with pytest.raises(RuntimeError, match='ended'):
+            access()
+    assert all(len(copy) == len(before) for copy in copies)  # these are the program's own
+    plain[:] = 5  # changes no more than this array
+    assert np.all(sim.gather('velocity') == 0) and sim.ledger['momentum_x'] == 0
     assert sim.step()
+    assert np.array_equal(before, np.zeros_like(before)) and (plain == 5).all()
+
+
+@pytest.mark.skipif(RANKS > 1, reason='one rank shows it')
+def test_arrays_outlive_their_simulation():
+    def kept():
+        sim = thaw.Simulation(drop())
+        with sim.local() as p:
+            return np.asarray(p.position), p
+
+    x, rows = kept()
+    gc.collect()
+    before = x.copy()
+    junk = [np.full((len(x), 3), 7.0) for _ in range(50)]
+    assert np.array_equal(x, before) and len(junk) == 50
+    with pytest.raises(RuntimeError, match='ended'):
+        len(rows)
+
+
+def test_a_closed_simulation_is_named():
+    sim = thaw.Simulation(drop())
+    with sim.local() as p:
+        x = np.asarray(p.position)
+        with pytest.raises(RuntimeError, match='close: not possible in a block'):
+            sim.close()
+    assert 'step 0' in repr(sim)
+    sim.close()
+    sim.close()
+    assert 'closed' in repr(sim) and x.sum() == x.copy().sum()
+    with pytest.raises(RuntimeError, match='the simulation is closed'):
+        sim.step()
+
+
+def test_arrays_kept_by_functions_are_separate():
+    sim = thaw.Simulation(drop())
+    kept, rows = [], []
+
+    def keep_in_step(s):
+        with s.local() as p:
+            kept.append(np.asarray(p.position))
+
+    def keep_in_force(p, t):
+        kept.append(np.asarray(p.position))
+        rows.append(p)
+        return 0
+
+    sim.on_step(keep_in_step)
+    sim.on_phase('predict', lambda p, t: kept.append(np.asarray(p.velocity)))
+    sim.add_force(keep_in_force)
+    sim.run(steps=4)
+    alone = thaw.Simulation(drop())
+    alone.run(steps=4)
+    assert np.array_equal(sim.gather('position'), alone.gather('position'))
+    assert len(kept) == 1 + 4 * 3 and all(np.isfinite(x).all() for x in kept)
+    with pytest.raises(RuntimeError, match='ended'):
+        rows[0].position
+
+
+def test_blocks_are_not_nested():
+    sim = thaw.Simulation(drop())
+    with sim.local() as p:
+        with pytest.raises(RuntimeError, match='a block of the particles is open'):
+            with sim.local():
+                pass
+        for change in (sim.step, sim.run, sim.finish, lambda: sim.add_force(lambda p, t: 0)):
+            with pytest.raises(RuntimeError, match='not possible in a block'):
+                change()
+        assert len(p) == len(p.position)
+    assert sim.step()
+    with sim.local('particles') as p, pytest.raises(KeyError, match='unknown table'):
+        with sim.local('colours'):
+            pass
+
+
+def test_no_step_within_a_step():
+    calls = ('step', 'run', 'finish', 'close', 'restore')
+    for call in [operator.methodcaller(name) for name in calls] + [lambda s: s.add_force(lambda p, t: 0)]:
+        sim = thaw.Simulation(drop())
+        sim.on_step(call)
+        with pytest.raises(RuntimeError, match='not possible within a step'):
+            sim.run(steps=2)
+        assert sim.steps == 1
+
+
+@pytest.mark.skipif(RANKS > 1, reason='one rank shows it')
+def test_two_threads_do_not_step_together():
+    sim = thaw.Simulation(drop(spacing='3 cm'))
+    begun, errors = threading.Event(), []
+    sim.on_step(lambda s: begun.set())
+    thread = threading.Thread(target=lambda: sim.run(steps=60))
+    thread.start()
+    begun.wait()
+    for call in (sim.step, lambda: sim.time, lambda: sim.gather('id'), lambda: sim.ledger, sim.close):
+        try:
+            call()
+        except RuntimeError as error:
+            errors.append(str(error))
+    sim.request_stop()
+    thread.join()
+    assert errors == ['another thread is stepping this simulation; wait until it has ended'] * 5
+    assert sim.stopped and sim.steps < 60
 
 
 def test_changes_are_in_the_ledger():
@@ -178,17 +300,59 @@ def test_errors_have_the_place_of_the_command_line():
         thaw.Simulation('absent.toml')
 
 
-def test_errors_of_functions_end_the_run_after_the_step():
+def raising(sim, number, error):
+    """A function that raises on the last rank in a step."""
+
+    def fail(*given):
+        if sim.steps == number and sim.rank == sim.ranks - 1:
+            raise error
+        return 0
+
+    return fail
+
+
+def expected(error, text):
+    """What the ranks raise: the last one its own exception, the others one that names it."""
+    if not COMM or COMM.rank == RANKS - 1:
+        return pytest.raises(error, match=text)
+    return pytest.raises(RuntimeError, match=f'rank {RANKS - 1}: {error.__name__}: .*{text}')
+
+
+def test_errors_of_functions_end_the_run_on_all_ranks():
     sim = thaw.Simulation(drop())
-
-    def fail(s):
-        if s.steps == 3:
-            raise KeyError('mine')
-
-    sim.on_step(fail)
-    with pytest.raises(KeyError, match='mine'):
+    sim.on_step(raising(sim, 3, KeyError('mine')))
+    sim.on_step(lambda s: s.ledger)  # all ranks meet
+    with expected(KeyError, 'mine'):
         sim.run()
-    assert sim.steps in (3, 4)  # several ranks stop together, one step later
+    assert sim.steps == 3 and not sim.stopped
+    assert sim.step()
+    sim.on_step(raising(sim, 5, ValueError('second')))
+    with expected(ValueError, 'second'):
+        sim.step()
+    sim.run(steps=2)
+    assert sim.steps == 7
+
+
+def test_errors_on_the_only_rank_with_a_function_reach_all():
+    sim = thaw.Simulation(drop())
+    if sim.rank == sim.ranks - 1:
+        sim.on_step(raising(sim, 2, KeyError('mine')))
+    with expected(KeyError, 'mine'):
+        sim.run(steps=9)
+    assert sim.steps == 2
+
+
+def test_errors_of_forces_are_raised():
+    sim = thaw.Simulation(drop())
+    with pytest.raises(AttributeError, match='unknown field .colour.'):
+        sim.add_force(lambda p, t: p.colour)
+    sim.run(steps=2)  # the force is not there
+    sim.add_force(raising(sim, 4, ZeroDivisionError('late')))
+    with expected(ZeroDivisionError, 'late'):
+        sim.run(steps=9)
+    sim.run(steps=3)
+    with pytest.raises(ValueError, match='broadcast'):
+        sim.add_force(lambda p, t: np.zeros((len(p) + 1, 3)))
     assert sim.step()
 
 
@@ -201,6 +365,100 @@ def test_an_interrupt_leaves_a_state_that_goes_on():
     assert sim.steps == 2
     sim.run(steps=1)
     assert sim.steps == 3
+
+
+def test_signals_of_batch_systems_stop_all_ranks_with_a_checkpoint(folder):
+    sim = thaw.Simulation(drop(), folder)
+    steps = []
+
+    def kill(s):
+        if s.steps == 3 and s.rank == s.ranks - 1:
+            os.kill(os.getpid(), signal.SIGTERM)
+
+    sim.on_step(kill)
+    with pytest.raises(KeyboardInterrupt, match='SIGTERM'):
+        sim.run()
+    steps.append(sim.steps)
+    assert steps[0] in (3, 4)
+    sim.close()
+    again = thaw.Simulation(drop(), folder, restart=True)
+    assert again.steps == steps[0] and again.step()
+
+
+def test_a_signal_to_one_rank_stops_all_without_functions():
+    sim = thaw.Simulation(drop(end=1000, spacing='10 cm'))
+    timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGUSR1))
+    if sim.rank == sim.ranks - 1:
+        timer.start()
+    with pytest.raises(KeyboardInterrupt, match='SIGUSR1'):
+        sim.run()
+    assert 0 < sim.time < 1000 and not sim.stopped
+    assert sim.step()
+
+
+def test_edits_are_checked():
+    sim = thaw.Simulation(plate())
+    sim.run(steps=2)
+    before = sim.gather('velocity'), sim.gather('temperature')
+    with pytest.raises(ValueError, match=r'velocity of row 0 \(id \d+\) is \(nan'):
+        with sim.local() as p:
+            p.velocity[:1] = np.nan
+    with pytest.raises(ValueError, match='is -3 K; expected a finite number of at least 0 K'):
+        with sim.local() as p:
+            p.temperature[:] = -3
+    assert np.array_equal(before[0], sim.gather('velocity'))
+    assert np.array_equal(before[1], sim.gather('temperature'))
+    assert sim.step()
+
+
+def test_the_history_is_that_of_the_file(folder):
+    sim = thaw.Simulation(drop(output={'every': 0.005}), folder)
+    sim.run(until=0.012)
+    assert len(sim.history['time']) == 4 and sim.history.units['kinetic'] == 'J'
+    sim.finish()
+    if sim.rank == 0:
+        file, memory = thaw.open(folder).ledger, sim.history
+        assert list(file) == list(memory)
+        assert all(np.array_equal(file[name], memory[name]) for name in file)
+        assert memory['momentum_residual'].shape == (4, 3)
+    now, rows = sim.ledger, sim.history
+    for name in set(rows) & set(now):
+        assert now[name] == rows[name][-1], name
+    for axis, name in enumerate('xyz'):
+        assert now['momentum_residual_' + name] == rows['momentum_residual'][-1, axis]
+    assert {'wall_work', 'entered_mass', 'left_kinetic', 'restart_jump'} <= set(rows) & set(now)
+
+
+def test_times_that_have_passed_are_refused():
+    sim = thaw.Simulation(drop())
+    sim.run(until=0.01)
+    for until in (-1, 0.005, float('nan')):
+        with pytest.raises(ValueError, match='until: expected a time of at least'):
+            sim.run(until=until)
+    with pytest.raises(ValueError, match='steps: expected'):
+        sim.run(steps=-1)
+
+
+@pytest.mark.skipif(RANKS > 1, reason='one rank shows it')
+def test_scene_errors_have_places():
+    with pytest.raises(thaw.SceneError) as caught:
+        thaw.Simulation(drop(spacing=-1))
+    error = caught.value
+    assert (error.file, error.line, error.column) == ('scene', 1, 11)
+    assert error.message == 'spacing: must be > 0 m, got -1'
+
+
+@pytest.mark.skipif(RANKS > 1, reason='one rank shows it')
+def test_functions_hold_no_simulation():
+    sim = thaw.Simulation(drop())
+    sim.on_phase('forces', lambda p, t: None)
+    sim.on_step(lambda s: None)
+    sim.add_force(lambda p, t: 0)
+    sim.on_end(lambda s: None)
+    end = weakref.ref(sim)
+    del sim
+    gc.collect()
+    assert end() is None
 
 
 def test_simulations_are_independent():
@@ -231,28 +489,42 @@ def test_constructions_leak_nothing():
     assert used(900) - before < 8 * 1024  # KiB
 
 
-@pytest.mark.parametrize('scene', ['dam_break', 'melt', 'pour'])
+# scene -> overrides and number of steps: a few thousand particles in motion
+REAL = {
+    'dam_break': ({'spacing': 0.03}, 40),
+    'melt': (
+        {'spacing': 0.009, 'body.bust.temperature': '50 degC', 'body.bust.place.bottom': [0, 0, 0]},
+        40,
+    ),
+    'pour': (
+        {
+            'spacing': 0.004,
+            'emitter.jug.disc.radius': 0.03,
+            'emitter.jug.speed': 3,
+            'emitter.jug.centre': [0, 0, 0.06],
+        },
+        150,
+    ),
+}
+
+
+@pytest.mark.parametrize('scene', REAL)
 def test_same_bits_as_the_command_line(scene, folder):
     file = os.path.join(SCENES, scene + '.toml')
-    spacing = {'dam_break': 0.08, 'melt': 0.05, 'pour': 0.02}[scene]
-    sim = thaw.Simulation(file, folder + '/python', set={'spacing': spacing})
-    sim.run(steps=30)
+    overrides, steps = REAL[scene]
+    sim = thaw.Simulation(file, folder + '/python', set=overrides)
+    sim.run(steps=steps)
+    now = sim.ledger
+    assert now['particles'] > 1500
+    assert scene != 'melt' or 0.1 < now['liquid_fraction'] < 0.9
+    assert scene != 'dam_break' or now['kinetic'] > 0.1
     sim.finish()
-    if COMM:
-        COMM.Barrier()
     if sim.rank == 0:
-        clean = {k: v for k, v in os.environ.items() if not k.startswith(('OMPI', 'PMIX', 'PRTE'))}
-        run = [
-            PROGRAM,
-            'run',
-            file,
-            '--set',
-            f'spacing={spacing}',
-            '--steps',
-            '30',
-            '--out',
-            folder + '/line',
-        ]
+        clean = {k: v for k, v in os.environ.items() if not k.startswith(LAUNCHER)}
+        launch = ['mpirun', '-q', '-n', str(RANKS)] if RANKS > 1 else []
+        run = [*launch, PROGRAM, 'run', file, '--steps', str(steps), '--out', folder + '/line']
+        for key, value in overrides.items():
+            run += ['--set', f'{key}={thaw.Scene.toml_value(value)}']
         subprocess.run(run, check=True, env=clean, stdout=subprocess.DEVNULL)
         result = subprocess.run(
             [PROGRAM, 'compare', folder + '/python', folder + '/line'],
@@ -261,6 +533,10 @@ def test_same_bits_as_the_command_line(scene, folder):
             capture_output=True,
         )
         assert 'equal' in result.stdout, result.stdout + result.stderr
+        line, python = (thaw.open(f'{folder}/{name}').ledger for name in ('line', 'python'))
+        assert all(np.array_equal(line[name], python[name]) for name in line)
+    if COMM:
+        COMM.Barrier()
 
 
 def test_continues_from_a_checkpoint_with_a_force(folder):
@@ -373,3 +649,34 @@ def test_errors_of_phases_end_the_step():
     sim.on_phase('forces', fail)
     with pytest.raises(ValueError, match='read-only'):
         sim.run(steps=3)
+    assert sim.steps == 1
+
+
+def test_extensions_that_fail_end_no_interpreter():
+    thaw.register_extension(
+        'failing',
+        {'when': (-1, '', -2, 1e6), 'limit': (1, '', 0, 10)},
+        force=lambda p, t, values: 1 / 0 if t >= values['when'] >= 0 else 0,
+        step_limit=lambda values: 0.1 / values['limit'],
+    )
+    with pytest.raises(ZeroDivisionError):
+        thaw.Simulation(drop(extension={'failing': {'limit': 0}}))
+    with pytest.raises(ZeroDivisionError):
+        thaw.Simulation(drop(extension={'failing': {'when': 0}}))
+    sim = thaw.Simulation(drop(extension={'failing': {'when': 0.005}}))
+    with pytest.raises(ZeroDivisionError):
+        sim.run()
+    steps, ledger = sim.steps, sim.ledger
+    assert steps > 0 and ledger['mass'] > 0
+    thaw.register_extension('negative', {}, force=lambda p, t, values: 0, step_limit=lambda values: -1)
+    with pytest.raises(ValueError, match="extension 'negative': step_limit returned -1"):
+        thaw.Simulation(drop(extension={'negative': {}}))
+
+
+def test_a_refused_restart_ends_no_interpreter(folder):
+    thaw.register_extension('still', {'k': 1}, force=lambda p, t, values: 0)
+    with thaw.Simulation(drop(extension={'still': {}}), folder) as sim:
+        sim.run(steps=2)
+        sim.finish()
+    with pytest.raises(thaw.SceneError, match='spacing'):
+        thaw.Simulation(drop(extension={'still': {}}, spacing='6 cm'), folder, restart=True)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """thaw: particle simulations of solids and liquids that deform, melt, flow, freeze and break.
 
-Runs are read with numpy and h5py alone; simulations need the compiled part of the package.
+Runs are read with numpy and h5py alone; simulations need numpy and the compiled part of the package.
 
     import thaw
 
@@ -16,6 +16,22 @@ from __future__ import annotations
 
 from typing import Any
 
+from .build import (
+    Body,
+    Emitter,
+    HeatedRegion,
+    Lamp,
+    Laser,
+    Material,
+    Numerics,
+    ObstacleBody,
+    OrientedBody,
+    Output,
+    SceneDomain,
+    SheetBody,
+    SurfaceSettings,
+    Thermostat,
+)
 from .checkpoint import Checkpoint
 from .compare import Comparison, FieldDifference
 from .errors import (
@@ -28,6 +44,7 @@ from .errors import (
     SceneError,
     ThawError,
 )
+from .extension import register_extension
 from .frame import Frame, Oriented, Sheets, Surface
 from .frames import Frames
 from .log import Log
@@ -39,7 +56,8 @@ from .run import openRun as open  # noqa: A001
 from .picture import Picture
 from .scene import Scene, SceneReport
 from .scene_text import Domain
-from .simulation import Rows, Simulation, register_extension
+from .rows import Rows
+from .simulation import Simulation
 from .summary import Summary
 from .version import readVersion
 
@@ -47,35 +65,49 @@ __version__ = readVersion()
 
 __all__ = [
     'BlewUp',
+    'Body',
     'Checkpoint',
     'Comparison',
     'DamageWarning',
     'Domain',
+    'Emitter',
     'Field',
     'FieldDifference',
     'FieldError',
     'FileError',
     'Frame',
     'Frames',
+    'HeatedRegion',
+    'Lamp',
+    'Laser',
     'Log',
+    'Material',
     'Mesh',
     'MissingError',
+    'Numerics',
     'Obstacle',
+    'ObstacleBody',
     'Obstacles',
     'Oriented',
-    'Points',
+    'OrientedBody',
+    'Output',
     'Picture',
+    'Points',
     'ProgramError',
     'Rows',
     'Run',
     'Scene',
+    'SceneDomain',
     'SceneError',
     'SceneReport',
+    'SheetBody',
     'Sheets',
     'Simulation',
     'Summary',
     'Surface',
+    'SurfaceSettings',
     'ThawError',
+    'Thermostat',
     'open',
     'register_extension',
 ]

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import functools
 import importlib
 from types import ModuleType
 
@@ -23,3 +24,9 @@ def core() -> ModuleType:
             "thaw, and import it from <build>/python or from the installation. Or run pip install . in the "
             "source folder of thaw"
         ) from None
+
+
+@functools.lru_cache(maxsize=1)
+def schemaText() -> str:
+    """The JSON schema of scenes, with the keys of registered extensions, which clear the cache."""
+    return core().schema()

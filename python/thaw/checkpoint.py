@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import os
-from typing import Dict, List, Optional, Tuple
+from typing import TYPE_CHECKING, Dict, List, Optional, Tuple
 
-import h5py
 import numpy as np
 
 from .errors import FileError, unknownName
 from .hdf_file import HdfFile, checksumOfRows, textOf
 from .points import Field
+
+if TYPE_CHECKING:
+    import h5py
 
 FORMAT = 8
 TABLES = {

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import difflib
-from typing import Iterable
+import re
+from typing import Any, Dict, Iterable
 
 
 class ThawError(Exception):
@@ -19,7 +20,32 @@ class FileError(ThawError):
 
 
 class SceneError(ThawError, ValueError):
-    """A scene is unusable. A line for each error: file, line, column, key and what was expected."""
+    """A scene is unusable. A line for each error: file, line, column, key and what was expected.
+
+    file, line, column, message: of the first error; line and column are 0 without a place.
+    errors: a dict of these four for each error.
+    """
+
+    def __init__(self, text: str = '') -> None:
+        super().__init__(text)
+        self.errors = [_placed(line) for line in text.splitlines()] or [_placed('')]
+        self.file: str = self.errors[0]['file']
+        self.line: int = self.errors[0]['line']
+        self.column: int = self.errors[0]['column']
+        self.message: str = self.errors[0]['message']
+
+
+def _placed(text: str) -> Dict[str, Any]:
+    """Splits `file:line:column: error: message`."""
+    match = re.fullmatch(r'(?:(.*?)(?::(\d+):(\d+))?: )?error: (.*)', text)
+    if not match:
+        return {'file': '', 'line': 0, 'column': 0, 'message': text}
+    return {
+        'file': match[1] or '',
+        'line': int(match[2] or 0),
+        'column': int(match[3] or 0),
+        'message': match[4],
+    }
 
 
 class BlewUp(ThawError, RuntimeError):

@@ -5,12 +5,14 @@ from __future__ import annotations
 import contextlib
 import os
 import struct
-from typing import Iterator, Optional, Tuple
+from typing import TYPE_CHECKING, Iterator, Optional, Tuple
 
-import h5py
 import numpy as np
 
 from .errors import FileError, ThawError
+
+if TYPE_CHECKING:
+    import h5py
 
 MASK = (1 << 64) - 1
 START = 0x9E3779B97F4A7C15
@@ -118,6 +120,12 @@ class HdfFile:
     @contextlib.contextmanager
     def open(self) -> Iterator[h5py.File]:
         """Opens the file for the duration of a `with`. Any failure becomes a FileError."""
+        try:
+            import h5py  # simulations do without it
+        except ImportError:
+            raise ImportError(
+                "results are read with h5py (Debian: python3-h5py), which is not installed"
+            ) from None
         self.check()
         try:
             with h5py.File(self.path, 'r') as file:

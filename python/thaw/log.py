@@ -46,6 +46,14 @@ def arrayOf(column: str, texts: List[str], path: str) -> np.ndarray:
         raise FileError(path, f'is damaged: column {column}: {error}') from error
 
 
+def wholeOf(values: np.ndarray) -> np.ndarray:
+    """int64 where all values are whole, as in arrayOf."""
+    whole = (
+        np.isfinite(values).all() and (values == np.rint(values)).all() and (np.abs(values) < 2**53).all()
+    )
+    return values.astype(np.int64) if whole else np.array(values)
+
+
 def readRows(path: str) -> Tuple[List[str], List[List[str]]]:
     """Header and complete rows. A last line without its end is left out: it is being written."""
     try:
@@ -75,13 +83,24 @@ class Log(Mapping[str, np.ndarray]):
     """
 
     def __init__(self, path: str) -> None:
-        self.path = path
         names, rows = readRows(path)
-        self.rows = len(rows)  #: number of rows
+        columns = {n: arrayOf(n, [row[k] for row in rows], path) for k, n in enumerate(names)}
+        self._adopt(path, len(rows), columns)
+
+    @classmethod
+    def ofColumns(cls, name: str, names: List[str], values: List[np.ndarray]) -> 'Log':
+        """A table of numbers in memory, with names as in a file."""
+        log = cls.__new__(cls)
+        rows = len(values[0]) if values else 0
+        log._adopt(name, rows, {n: wholeOf(v) for n, v in zip(names, values)})
+        return log
+
+    def _adopt(self, path: str, rows: int, columns: Dict[str, np.ndarray]) -> None:
+        self.path = path
+        self.rows = rows  #: number of rows
         self.units: Dict[str, str] = {}  #: name -> unit
         self._columns: Dict[str, np.ndarray] = {}
-        columns = {n: arrayOf(n, [row[k] for row in rows], path) for k, n in enumerate(names)}
-        for column in names:
+        for column in columns:
             name, unit = nameAndUnit(column)
             vector = [re.sub('_x(?=_|$)', f'_{a}', column) for a in 'xyz']
             if vector[0] == column and vector[1] != column and all(v in columns for v in vector):

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Dict, Iterator, List, NamedTuple, Optional, Tuple, Union
+from typing import TYPE_CHECKING, Dict, Iterator, List, NamedTuple, Optional, Tuple, Union
 
-import h5py
 import numpy as np
 
 from .errors import FieldError, FileError, unknownName
 from .hdf_file import HdfFile, textOf
 from .meanings import OUTPUT_FIELDS, meaningOf
 from .scene_text import namesOf, numbersOf, sceneOf
+
+if TYPE_CHECKING:
+    import h5py
 
 DATA = '/VTKHDF/PointData'
 

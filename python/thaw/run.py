@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from typing import Dict, List, Optional, Sequence, Tuple
+from typing import Dict, List, Optional, Sequence, Tuple, Union
 
 from .checkpoint import Checkpoint, newestCheckpoint
 from .compare import Comparison, compareFrames, compareSnapshots
@@ -142,14 +142,19 @@ class Run:
         """Splits and merges of components: columns of events.csv."""
         return self._log('events.csv')
 
-    def compare(self, other: 'Run', tolerance: Optional[float] = None, frames: bool = False) -> Comparison:
+    def compare(
+        self, other: Union['Run', str], tolerance: Optional[float] = None, frames: bool = False
+    ) -> Comparison:
         """Compares the newest checkpoints of two runs by id, as `thaw compare` does.
 
+        other: a run, or the path of its folder.
         tolerance: None compares bits. Otherwise floating-point values may differ by this times the largest
         magnitude of their field; whole numbers must be equal.
         frames: compares all frames too. Frames of one run only are differences.
         Raises MissingError if a run has no checkpoint, FileError if a file is damaged.
         """
+        if not isinstance(other, Run):
+            other = openRun(os.fspath(other))
         result = compareSnapshots(
             snapshotOfCheckpoint(self.checkpoint), snapshotOfCheckpoint(other.checkpoint), tolerance
         )

@@ -3,25 +3,17 @@
 
 from __future__ import annotations
 
-import functools
 import inspect
 import json
 import math
 import os
-import subprocess
 import tempfile
 from typing import Any, Iterator, Mapping, Optional, Union
 
-from ._load import core
-from .errors import ProgramError
-from .mesh import findProgram
+from ._load import core, schemaText
+from .build import builderKeys
 
 __all__ = ["Scene", "SceneReport"]
-
-
-@functools.lru_cache(maxsize=1)
-def _schema() -> str:
-    return core().schema()
 
 
 class _Completed(type):
@@ -32,7 +24,7 @@ class _Completed(type):
         kind = inspect.Parameter.KEYWORD_ONLY
         first = inspect.Parameter("scene", inspect.Parameter.POSITIONAL_OR_KEYWORD, default=None)
         try:
-            names = list(json.loads(_schema())["properties"])
+            names = list(json.loads(schemaText())["properties"])
         except ImportError:
             names = []
         keys = [inspect.Parameter(name, kind, default=None) for name in ["name", *names]]
@@ -99,7 +91,7 @@ class Scene(metaclass=_Completed):
         self.overrides: dict[str, Any] = {}
         if scene is None or isinstance(scene, Mapping):
             self.name = name
-            self.keys: Optional[dict[str, Any]] = {**(scene or {}), **keys}
+            self.keys: Optional[dict[str, Any]] = builderKeys({**(scene or {}), **keys})
         else:
             self.name = str(scene)
             self.keys = None
@@ -112,8 +104,10 @@ class Scene(metaclass=_Completed):
 
     def __getitem__(self, key: str) -> Any:
         table: Any = self._editable()
+        if self.keys is None:
+            return table[key]
         for part in key.split("."):
-            table = table[part]
+            table = table[_place(table, part, key)]
         return table
 
     def __setitem__(self, key: str, value: Any) -> None:
@@ -123,8 +117,16 @@ class Scene(metaclass=_Completed):
         table: Any = self.keys
         *tables, last = key.split(".")
         for part in tables:
-            table = table.setdefault(part, {})
-        table[last] = value
+            if isinstance(table, dict):
+                table = table.setdefault(part, {})
+            else:
+                table = table[_place(table, part, key)]
+        if isinstance(table, list):
+            table[_place(table, last, key)] = value
+        elif isinstance(table, dict):
+            table[last] = value
+        else:
+            raise KeyError(f"'{key}': '{'.'.join(tables)}' is no table of the scene, but {table!r}")
 
     def _editable(self) -> dict[str, Any]:
         return self.overrides if self.keys is None else self.keys
@@ -149,15 +151,12 @@ class Scene(metaclass=_Completed):
     def check(self, ranks: int = 0) -> SceneReport:
         """Returns the report of `thaw check`, or the errors of the scene. Takes seconds.
 
-        ranks: number of ranks for the estimates of memory and time. The program is the one that the
-        variable THAW_PROGRAM names, or else the one on PATH. Raises ProgramError if there is none.
+        ranks: number of ranks for the estimates of memory and time; 0: one. Keys of registered extensions
+        are known. Under mpirun each rank checks alone. Raises what functions of extensions raise.
         """
-        command = [findProgram("to check a scene"), "check", "--json"]
-        command += ["--ranks", str(int(ranks))] if ranks else []
-        for key, value in self.overrides.items():
-            command += ["--set", f"{key}={self.toml_value(value)}"]
+        overrides = [f"{key}={self.toml_value(value)}" for key, value in self.overrides.items()]
         if self.keys is None:
-            return _report([*command, self.name])
+            return _report(self.name, overrides, ranks)
         # Paths of meshes are relative to the file, which is therefore in the current folder.
         folder = os.getcwd() if os.access(os.getcwd(), os.W_OK) else None
         with tempfile.NamedTemporaryFile(
@@ -165,12 +164,12 @@ class Scene(metaclass=_Completed):
         ) as file:
             file.write(self.to_toml())
             file.flush()
-            return _report([*command, file.name], {file.name: self.name})
+            return _report(file.name, overrides, ranks, self.name)
 
     @staticmethod
     def schema() -> dict[str, Any]:
         """The JSON schema (draft 4) of scenes: keys, types, ranges, units, defaults and meanings."""
-        return json.loads(_schema())
+        return json.loads(schemaText())
 
     def _ipython_key_completions_(self) -> list[str]:
         return list(self._editable())
@@ -201,22 +200,28 @@ def _plain(name: str) -> str:
     return "".join(c if c.isalnum() else "_" for c in os.path.basename(name)) or "scene"
 
 
-def _report(command: list[str], names: Mapping[str, str] = {}) -> SceneReport:
-    done = subprocess.run(command, capture_output=True, text=True, errors="replace", env=_ownEnvironment())
-    text = done.stdout
-    for path, name in names.items():
+def _report(path: str, overrides: list[str], ranks: int, name: Optional[str] = None) -> SceneReport:
+    text = core().check(path, overrides, int(ranks))
+    if name is not None:
         text = text.replace(json.dumps(path)[1:-1], json.dumps(name)[1:-1])
-    begin = text.find("{")
-    if begin < 0 or done.returncode not in (0, 2, 3):
-        lines = (done.stderr or done.stdout).strip().splitlines() or ["no message"]
-        raise ProgramError(f"{' '.join(command)} failed with exit code {done.returncode}: {lines[-1]}")
-    return SceneReport(json.loads(text[begin:]))
+    return SceneReport(json.loads(text))
 
 
-def _ownEnvironment() -> dict[str, str]:
-    """Returns the environment without launcher variables, which would make the program expect other ranks."""
-    marks = ("OMPI_COMM_", "OMPI_UNIVERSE", "OMPI_MCA_orte", "OMPI_MCA_ess", "OMPI_APP", "PMIX_", "PMI_")
-    return {key: value for key, value in os.environ.items() if not key.startswith(marks)}
+def _place(table: Any, part: str, key: str) -> Any:
+    """Returns the key of a table, or the number of an entry of a list that `part` names."""
+    if isinstance(table, Mapping):
+        if part in table:
+            return part
+        raise KeyError(f"'{key}': there is no '{part}'; there are: {', '.join(map(str, table)) or 'none'}")
+    if isinstance(table, list):
+        names = [one.get("name") if isinstance(one, Mapping) else None for one in table]
+        if part in names:
+            return names.index(part)
+        if part.isdigit() and int(part) < len(table):
+            return int(part)
+        known = ", ".join(str(n) if n else str(k) for k, n in enumerate(names))
+        raise KeyError(f"'{key}': the list has no entry '{part}'; expected a name or number of: {known}")
+    raise KeyError(f"'{key}': '{part}' is asked of {table!r}, which is no table of the scene")
 
 
 def _key(name: Any) -> str:

@@ -11,66 +11,22 @@ from typing import Any, Callable, Iterator, Mapping, Optional, Sequence, Union
 import numpy as np
 
 from ._load import core
+from .extension import Load, callLoad
+from .log import Log
 from .obstacles import Obstacles
 from .picture import Picture, draw
+from .rows import Rows
 from .scene import Scene
+from .signals import StopSignals
 
-__all__ = ["Rows", "Simulation", "register_extension"]
+__all__ = ["Rows", "Simulation"]
 
 
-class Rows:
-    """The rows of one table on this rank, inside of a block `with sim.local() as p`.
+class _Closed:
+    """In place of the compiled part after close()."""
 
-    Fields are arrays over the simulation's own memory, without a copy: `p["temperature"]` or `p.temperature`.
-    Outside of the block, access raises RuntimeError. Values of `velocity` and `temperature` of particles may
-    be changed in place (`p.velocity += dv`); all other arrays are read-only.
-    """
-
-    def __init__(self, source: Any, table: str, changes: bool):
-        self.__dict__.update(_source=source, _table=table, _changes=changes, _open=True)
-
-    def __getitem__(self, field: str) -> np.ndarray:
-        if not self._open:
-            raise RuntimeError(
-                f"'{field}': the block `with sim.local()` has ended; use sim.gather() outside of it"
-            )
-        try:
-            return self._source.view(self._table, field, self._changes and field in self._WRITABLE)
-        except KeyError:
-            raise KeyError(
-                f"unknown field '{field}'; the {self._table} have {', '.join(self.fields())}"
-            ) from None
-
-    _WRITABLE = ("velocity", "temperature")
-
-    def __getattr__(self, field: str) -> np.ndarray:
-        try:
-            return self[field]
-        except KeyError as error:
-            raise AttributeError(error.args[0]) from None
-
-    def __setitem__(self, field: str, values: Any) -> None:
-        array = self[field]
-        if values is not array:  # `p.velocity += dv` assigns the array to itself
-            array[...] = values
-
-    __setattr__ = __setitem__
-
-    def __len__(self) -> int:
-        return self._source.rows(self._table)
-
-    def __contains__(self, field: str) -> bool:
-        return field in self.fields()
-
-    def fields(self) -> list[str]:
-        """Names of the fields of this table."""
-        return [name for name, _, _, _ in self._source.fields(self._table)]
-
-    def __dir__(self) -> list[str]:
-        return sorted({*super().__dir__(), *self.fields()})
-
-    def _ipython_key_completions_(self) -> list[str]:
-        return self.fields()
+    def __getattr__(self, name: str) -> Any:
+        raise RuntimeError("the simulation is closed")
 
 
 class Simulation:
@@ -111,22 +67,30 @@ class Simulation:
         self._core = core().Simulation(scene.text, options, log, None if comm is None else comm.py2f())
         self.scene = scene
         # The compiled part has only weak references, so that a simulation ends with its last reference.
-        self._on_step: list[Callable[[Simulation], Any]] = []
-        self._on_frame: list[Callable[[Simulation], Any]] = []
-        self._loads: list[Load] = []
-        self._on_end: list[Callable[[Simulation], Any]] = []
+        self._calls: dict[str, list[Callable[..., Any]]] = {}
+        self._loads: dict[int, Load] = {}
         self._local: list[Rows] = []
         self._obstacles: Optional[Obstacles] = None
-        me = weakref.ref(self)
-        self._core.on_end(lambda: [call(me()) for call in me()._on_end])
-        self._core.on_step(lambda: [call(me()) for call in me()._on_step])
-        self._core.on_frame(lambda: [call(me()) for call in me()._on_frame])
+        self._signals = StopSignals(always=self._core.ranks > 1)
 
     def close(self) -> None:
-        """Frees the simulation's memory and its folder. No method may be called afterwards."""
+        """Frees the simulation's memory and its folder. All later calls of methods raise RuntimeError.
+
+        Raises RuntimeError within a block `with sim.local()` and within a function that a step calls.
+        """
+        if not isinstance(self._core, _Closed):
+            self._core.refuse_close()
         if self._obstacles is not None:
             self._obstacles._release()
-        del self._core
+        self._core = _Closed()
+
+    def __repr__(self) -> str:
+        if isinstance(self._core, _Closed):
+            return f"<Simulation {self.scene.name}, closed>"
+        return (
+            f"<Simulation {self.scene.name}: t = {self.time:.6g} of {self.end:.6g} s, step {self.steps}, "
+            f"{self.ranks} rank{'' if self.ranks == 1 else 's'}>"
+        )
 
     def __enter__(self) -> "Simulation":
         return self
@@ -156,15 +120,28 @@ class Simulation:
         return self._core.last_step
 
     def step(self) -> bool:
-        """Takes one step. Returns False without a step at the end of the scene or after a stop request."""
-        return self._core.step()
+        """Takes one step. Returns False without a step at the end of the scene or after a stop request.
+
+        Raises what functions of the program have raised in it, on all ranks: the ranks without an exception
+        of their own raise RuntimeError("rank 1: KeyError: ...").
+        """
+        with self._signals:
+            return self._core.step()
 
     def run(self, until: Optional[float] = None, steps: Optional[int] = None, progress: bool = False) -> None:
         """Steps until a time (s), for a number of steps, or to the end of the scene.
 
-        progress: a bar in a terminal or a notebook, on the first rank. Ctrl-C stops after the current step
-        and raises KeyboardInterrupt; the simulation can go on.
+        progress: a bar in a terminal or a notebook, on the first rank. Ctrl-C, SIGTERM, SIGUSR1 and SIGUSR2
+        end the run after the current step on all ranks. With a folder they write a checkpoint. They raise
+        KeyboardInterrupt, and the simulation can go on. Exceptions of functions are raised as by step().
+        Raises ValueError for a time that has passed.
         """
+        if until is not None and not until >= self.time:
+            raise ValueError(
+                f"until: expected a time of at least {self.time:.9g} s, which is now, got {until}"
+            )
+        if steps is not None and steps < 0:
+            raise ValueError(f"steps: expected a number of at least 0, got {steps}")
         show = None
         if progress and self.rank == 0:
             begin = self.time
@@ -175,16 +152,20 @@ class Simulation:
                 sys.stderr.write(f"\r[{bar:<30}] {100 * share:5.1f} %  t {time:.6g} s  step {step} ")
                 sys.stderr.flush()
 
-        self._core.run(until, steps, show)
-        if show:
-            sys.stderr.write("\n")
+        try:
+            with self._signals:
+                self._core.run(until, steps, show)
+        finally:
+            if show:
+                sys.stderr.write("\n")
 
     def finish(self) -> int:
         """Writes the last checkpoint and the summary of a run with a folder. No step may follow.
 
         Returns the exit code that `thaw run` would have: 0 at the end, 75 after a stop request.
         """
-        return self._core.finish()
+        with self._signals:
+            return self._core.finish()
 
     @property
     def stopped(self) -> bool:
@@ -242,10 +223,14 @@ class Simulation:
 
         All ranks enter the block. Where velocities or temperatures of particles were changed, forces are
         computed anew at its end, and the ledger records the change as work, impulse and heat from outside.
+        Raises ValueError on all ranks for values that are not finite and for temperatures below 0 K, and
+        takes the changes back. Raises RuntimeError within a block of the particles. In a block no step, frame
+        and checkpoint is possible.
         """
         changes = table == "particles"
-        if changes:
-            self._core.begin_edit()
+        if changes and self._local:
+            raise RuntimeError("sim.local(): a block of the particles is open; use its rows, sim.particles")
+        self._core.begin_block(table, changes)
         rows = Rows(self._core, table, changes)
         if changes:
             self._local.append(rows)
@@ -254,9 +239,8 @@ class Simulation:
         finally:
             if changes:
                 self._local.pop()
-            rows.__dict__["_open"] = False
-            if changes:
-                self._core.end_edit()
+            rows._close()
+            self._core.end_block(changes)
 
     def gather(self, field: str, by: str = "id", table: str = "particles") -> np.ndarray:
         """A copy of a field of all ranks on every rank, sorted by id. For small cases."""
@@ -266,8 +250,23 @@ class Simulation:
 
     @property
     def ledger(self) -> dict[str, float]:
-        """Energies (J), mass (kg), momentum (kg m/s), heat (J) and their residuals over all ranks."""
+        """Energies (J), mass (kg), momentum (kg m/s), heat (J) and their residuals over all ranks, now.
+
+        Names are those of history, where vectors have the keys momentum_x, momentum_y, momentum_z.
+        outside_work is wall_work: work of walls and of the program. entered_... and left_... are what came
+        and went through openings and open sides.
+        """
         return self._core.ledger()
+
+    @property
+    def history(self) -> Log:
+        """The ledger over time: columns by name, as in `thaw.open(out).ledger`, such as history["kinetic"].
+
+        Rows are those of the start, of each frame, of each output.ledger_every, and of the end. After a
+        restart they begin at the first of these times.
+        """
+        names, rows = self._core.history()
+        return Log.ofColumns("the history of the simulation", names, list(rows.T))
 
     def picture(
         self,
@@ -323,14 +322,31 @@ class Simulation:
         """Writes a checkpoint now."""
         self._core.write_checkpoint()
 
+    def restore(self) -> None:
+        """Goes back to the newest checkpoint in the folder, with all functions that were added."""
+        self._core.restore()
+
     # -- functions of the program ----------------------------------------------------------------------------
+    # The compiled part has only weak references, so that a simulation ends with its last reference.
+    def _add(self, kind: str, call: Callable[..., Any]) -> None:
+        calls = self._calls.setdefault(kind, [])
+        calls.append(call)
+        if len(calls) > 1:
+            return
+        me = weakref.ref(self)
+        getattr(self._core, kind)(lambda: _callAll(me()._calls[kind], me()))
+
     def on_step(self, call: Callable[["Simulation"], Any]) -> None:
-        """Calls call(sim) after each step. run() raises its exceptions, after the step."""
-        self._on_step.append(call)
+        """Calls call(sim) after each step.
+
+        run() and step() raise its exceptions on all ranks, after the step, in which other functions are
+        still called.
+        """
+        self._add("on_step", call)
 
     def on_frame(self, call: Callable[["Simulation"], Any]) -> None:
         """Calls call(sim) after each frame."""
-        self._on_frame.append(call)
+        self._add("on_frame", call)
 
     def on_phase(self, phase: str, call: Callable[[Rows, float], Any]) -> None:
         """Calls call(p, t) after a phase of each step, with the particles p of this rank.
@@ -341,23 +357,29 @@ class Simulation:
         read-only, except for fields of extensions. Raises ValueError for an unknown phase.
         """
 
-        def after(source: Any, time: float) -> None:
-            rows = Rows(source, "particles", False)
-            try:
-                call(rows, time)
-            finally:
-                rows.__dict__["_open"] = False
+        kind = "phase " + phase
+        if kind not in self._calls:
+            me = weakref.ref(self)
 
-        self._core.on_phase(phase, after)
+            def after(source: Any, time: float) -> None:
+                rows = Rows(source, "particles", False)
+                try:
+                    _callAll(me()._calls[kind], rows, time)
+                finally:
+                    rows._close()
+
+            self._core.on_phase(phase, after)
+        self._calls.setdefault(kind, []).append(call)
 
     def on_end(self, call: Callable[["Simulation"], Any]) -> None:
         """Calls call(sim) in finish(), before the last checkpoint."""
-        self._on_end.append(call)
+        self._add("on_end", call)
 
     def add_force(self, force: Callable[[Rows, float], Any]) -> None:
         """Adds a force: force(p, t) returns newtons of shape (n, 3) for the n particles p of this rank.
 
-        Called once a step at their positions at time t (s). Its work and impulse are in the ledger. For the
+        Called once a step at their positions at time t (s), and now. Raises what the function raises, and
+        then does not add it. Its work and impulse are in the ledger. For the
         same bits on any number of ranks, a particle's force must follow from its own fields and t alone.
         The automatic sound speed of liquids does not include it: give material.NAME.sound_speed, ten times
         the largest speed of the flow.
@@ -379,82 +401,31 @@ class Simulation:
         self._add_load(load)
 
     def _add_load(self, load: Load) -> None:
-        self._loads.append(load)
-        if len(self._loads) > 1:
-            return
+        number = len(self._loads)
+        self._loads[number] = load
         me = weakref.ref(self)
-        self._core.add_load(lambda *given: _call(me()._loads, *given))
+
+        def call(*given: Any) -> None:
+            callLoad(me()._loads[number], *given)
+
+        try:
+            self._core.add_load(call)
+        except BaseException:
+            self._loads[number] = _nothing  # a force that fails at once is not added
+            raise
 
 
-Load = Callable[[Rows, float, np.ndarray, Optional[np.ndarray]], None]
+def _callAll(calls: Sequence[Callable[..., Any]], *given: Any) -> None:
+    """Calls all functions, since they may be collective. Raises the first exception."""
+    first: Optional[BaseException] = None
+    for call in list(calls):
+        try:
+            call(*given)
+        except BaseException as error:
+            first = first or error
+    if first is not None:
+        raise first
 
 
-def _call(loads: Sequence[Load], source: Any, time: float, forces: np.ndarray, flow: Optional[np.ndarray]):
-    rows = Rows(source, "particles", False)
-    for load in loads:
-        load(rows, time, forces, flow)
-    rows.__dict__["_open"] = False
-
-
-def register_extension(
-    name: str,
-    keys: Optional[Mapping[str, Any]] = None,
-    *,
-    force: Optional[Callable[[Rows, float, Mapping[str, float]], Any]] = None,
-    heat: Optional[Callable[[Rows, float, Mapping[str, float]], Any]] = None,
-    step_limit: Optional[Callable[[Mapping[str, float]], float]] = None,
-    fields: Optional[Mapping[str, Any]] = None,
-    update: Optional[Callable[[Rows, float, float, Mapping[str, float]], Any]] = None,
-    about: str = "",
-) -> None:
-    """Registers a force, a source of heat, or fields that scenes name as [extension.NAME].
-
-    keys: name -> default, or (default, unit), or (default, unit, least, most, meaning).
-    force(p, t, values) returns newtons of shape (n, 3), heat(p, t, values) watts of shape (n,), for the n
-    particles p of this rank at time t (s). step_limit(values) returns the longest stable step, s.
-    fields: name -> unit, or (unit, meaning, components, start value). They are arrays of doubles that move
-    with their particles, are in checkpoints, and in frames that list them in output.fields.
-    update(p, t, dt, values) sets them at the end of each step of dt seconds, by p.name[...] = values.
-    Scenes that name an unregistered extension are refused, also at a restart. With `heat`, scenes that name
-    this extension have heat.
-    """
-
-    def note(key: str, given: Any) -> tuple[str, str, float, float, float, str]:
-        given = given if isinstance(given, (tuple, list)) else (given,)
-        default, unit, least, most, meaning = (*given, *("", -np.inf, np.inf, "")[len(given) - 1 :])
-        return key, unit, float(default), float(least), float(most), meaning
-
-    def load(values: Mapping[str, float]) -> Callable[..., None]:
-        def add(p: Rows, time: float, forces: np.ndarray, flow: Optional[np.ndarray]) -> None:
-            if force is not None:
-                forces += force(p, time, values)
-            if heat is not None:
-                flow += heat(p, time, values)
-
-        return lambda *given: _call([add], *given)
-
-    def field_note(field: str, given: Any) -> tuple[str, str, str, int, float]:
-        given = (given,) if isinstance(given, str) else tuple(given)
-        unit, meaning, components, start = (*given, *("", 1, 0.0)[len(given) - 1 :])
-        return field, unit, meaning, int(components), float(start)
-
-    def make_update(values: Mapping[str, float]) -> Callable[..., None]:
-        def advance(source: Any, time: float, dt: float) -> None:
-            rows = Rows(source, "particles", False)
-            try:
-                update(rows, time, dt, values)
-            finally:
-                rows.__dict__["_open"] = False
-
-        return advance
-
-    core().register_extension(
-        name,
-        about,
-        [note(key, given) for key, given in (keys or {}).items()],
-        [field_note(field, given) for field, given in (fields or {}).items()],
-        load if force is not None or heat is not None else None,
-        make_update if update is not None else None,
-        step_limit,
-        heat is not None,
-    )
+def _nothing(*given: Any) -> None:
+    pass

@@ -3,8 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <functional>
+#include <utility>
 
 #include "core/domain/extensions.hpp"
+#include "core/geometry/basic/shape_error.hpp"
+#include "io/run/ledger_history.hpp"
+#include "io/scene/check_built_scene.hpp"
 #include "io/scene/read_scene.hpp"
 #include "io/simulation/simulation.hpp"
 #include "parallel/communicator.hpp"
@@ -235,6 +241,178 @@ TEST(Simulation, RefusesBadScenesWithTheirPlace) {
               std::string::npos);
   }
   EXPECT_THROW(Simulation({.scene = "absent.toml"}), SceneErrors);
+}
+
+TEST(Simulation, KeepsTheOrderOfEdits) {
+  Simulation sim = simulationOf(water);
+  EXPECT_THROW(sim.endEdit(), std::logic_error);
+  sim.beginEdit();
+  EXPECT_THROW(sim.beginEdit(), std::logic_error);
+  EXPECT_THROW(sim.step(), std::logic_error);
+  EXPECT_THROW(sim.finish(), std::logic_error);
+  EXPECT_THROW(sim.addForce([](const OutsideLoad&) {}), std::logic_error);
+  EXPECT_FALSE(sim.endEdit());
+  EXPECT_TRUE(sim.step());
+  bool refused = false;
+  sim.onStep([&] {
+    EXPECT_TRUE(sim.busy());
+    EXPECT_THROW(sim.step(), std::logic_error);
+    refused = true;
+  });
+  sim.step();
+  EXPECT_TRUE(refused);
+}
+
+/// Expects that an edit of the last rank's first row is refused on all ranks and taken back.
+void expectRefusedEdit(const char* text, const std::function<void(Continuum&)>& change,
+                       const std::string& message) {
+  Simulation sim = simulationOf(text);
+  Continuum& p = sim.beginEdit();
+  int last = p.owned > 0 ? sim.rank() : -1;
+  MPI_Allreduce(MPI_IN_PLACE, &last, 1, MPI_INT, MPI_MAX, sim.communicator());
+  for (std::size_t i = 0; i < p.owned; i++) p.velocity[i] += Vec3d{1, 0, 0};
+  if (sim.rank() == last) change(p);
+  try {
+    sim.endEdit();
+    FAIL();
+  } catch (const std::invalid_argument& e) {
+    const std::string what = e.what();
+    EXPECT_NE(what.find(message), std::string::npos) << what;
+    EXPECT_EQ(what.find("rank " + std::to_string(last)) != std::string::npos, sim.ranks() > 1);
+  }
+  EXPECT_EQ(sim.ledger().now.momentum.x, 0);
+  EXPECT_TRUE(sim.step());
+}
+
+TEST(Simulation, RefusesEditsThatAreNotPhysical) {
+  expectRefusedEdit(
+      water, [](Continuum& p) { p.velocity[0].y = std::nan(""); }, "velocity of row 0 (id ");
+  expectRefusedEdit(
+      warmPlate, [](Continuum& p) { p.temperature[0] = -5; }, "is -5 K; expected a finite number");
+}
+
+TEST(Simulation, KeepsEditsInARetry) {
+  Simulation sim = simulationOf((std::string(water) + "[numerics]\nretry_every = 10\n").c_str());
+  bool fail = false;
+  sim.addForce([&](const OutsideLoad& load) {
+    if (std::exchange(fail, false) && load.particles.owned > 0) load.force[0].x = std::nan("");
+  });
+  sim.runSteps(13);
+  Continuum& p = sim.beginEdit();
+  for (std::size_t i = 0; i < p.owned; i++) p.velocity[i] += Vec3d{2, 0, 0};
+  sim.endEdit();
+  fail = true;
+  sim.step();
+  EXPECT_EQ(sim.steps(), 13);  // back at the edit, not at step 10
+  sim.runSteps(3);
+  const LedgerReport l = sim.ledger();
+  EXPECT_NEAR(l.now.momentum.x, 2 * l.now.mass, 1e-9 * l.now.mass);
+}
+
+TEST(Simulation, GoesBackToItsCheckpoint) {
+  int ranks = 0;
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  const std::string name = "thaw_restore_" + std::to_string(ranks),
+                    folder = std::filesystem::temp_directory_path() / name;
+  const auto begin = [&] {
+    return Simulation::fromText(water, {.scene = "test", .out = folder, .force = true});
+  };
+  Simulation sim = begin();
+  int calls = 0;
+  sim.onStep([&] { calls++; });
+  sim.addForce([](const OutsideLoad& load) {
+    for (std::size_t i = 0; i < load.particles.owned; i++) load.force[i].x += load.particles.mass[i];
+  });
+  sim.runSteps(5);
+  sim.writeCheckpoint();
+  sim.runSteps(5);
+  const LedgerReport before = sim.ledger();
+  sim.restore();
+  EXPECT_EQ(sim.steps(), 5);
+  sim.runSteps(5);
+  const LedgerReport after = sim.ledger();
+  EXPECT_EQ(calls, 15);
+  EXPECT_EQ(before.now.momentum.x, after.now.momentum.x);
+  EXPECT_EQ(before.now.kinetic, after.now.kinetic);
+  EXPECT_THROW(simulationOf(water).restore(), std::logic_error);
+}
+
+TEST(Simulation, KeepsItsLedgerOverTime) {
+  const std::string text = std::string(water) + "[output]\nevery = 0.01\n";
+  Simulation sim = Simulation::fromText(text, {.scene = "test", .history = true});
+  sim.runUntil(0.025);
+  const LedgerHistory& h = sim.history();
+  ASSERT_EQ(h.rows.size(), 4u);  // start, two frames, end
+  ASSERT_EQ(h.names.size(), h.rows[0].values.size());
+  EXPECT_EQ(h.names[1], "time_s");
+  EXPECT_EQ(h.rows[2].values[1], 0.02);
+  EXPECT_THROW(simulationOf(water).history(), std::logic_error);
+}
+
+TEST(Simulation, HasViewsOfAllTables) {
+  const Simulation sim = simulationOf((std::string(water) + "[surface]\n").c_str());
+  int surfels = static_cast<int>(sim.surfels().owned);
+  MPI_Allreduce(MPI_IN_PLACE, &surfels, 1, MPI_INT, MPI_SUM, sim.communicator());
+  EXPECT_GT(surfels, 0);
+  EXPECT_EQ(sim.sheets().owned, 0u);
+  EXPECT_EQ(sim.oriented().owned, 0u);
+}
+
+Scene builtScene() {
+  Scene scene;
+  scene.spacing = 0.02;
+  scene.end = 0.1;
+  Material jelly;
+  jelly.name = "jelly";
+  jelly.young = {1e5, 0};
+  scene.materials = {jelly};
+  Body cube;
+  cube.name = "cube";
+  cube.shape.size = {0.1, 0.1, 0.1};
+  scene.bodies = {cube};
+  return scene;
+}
+
+TEST(Simulation, ChecksScenesMadeInCode) {
+  const auto messageOf = [](const std::function<void(Scene&)>& change) {
+    Scene scene = builtScene();
+    change(scene);
+    try {
+      Simulation(scene, {.scene = "code"}).step();
+    } catch (const SceneErrors& e) { return std::string(e.what()); }
+    return std::string("accepted");
+  };
+  EXPECT_EQ(messageOf([](Scene&) {}), "accepted");
+  EXPECT_EQ(messageOf([](Scene& s) { s.spacing = -1; }), "code: error: spacing: must be > 0 m, got -1");
+  EXPECT_EQ(messageOf([](Scene& s) { s.materials[0].density = -1; }),
+            "code: error: material.jelly.density: must be > 0 kg/m^3, got -1");
+  EXPECT_NE(messageOf([](Scene& s) {
+              s.materials[0].poisson = {0.7, 0};
+            }).find("material.jelly.poisson"),
+            std::string::npos);
+  EXPECT_NE(messageOf([](Scene& s) {
+              s.materials[0].young = {std::nan(""), 0};
+            }).find("material.jelly.young"),
+            std::string::npos);
+  EXPECT_EQ(messageOf([](Scene& s) { s.bodies[0].material = 7; }),
+            "code: error: body.cube.material: expected the number of a material, of which the scene has 1, "
+            "got 7");
+  EXPECT_NE(messageOf([](Scene& s) { s.materials.clear(); }).find("body.cube.material"), std::string::npos);
+  EXPECT_NE(messageOf([](Scene& s) {
+              s.domain.max = {-2, 1, 1};
+            }).find("domain.max: must exceed domain.min"),
+            std::string::npos);
+  EXPECT_NE(messageOf([](Scene& s) { s.bodies.clear(); }).find("nothing to simulate"), std::string::npos);
+  Scene flat = builtScene();
+  flat.bodies[0].shape.size.x = -1;
+  EXPECT_THROW(Simulation(flat, {.scene = "code"}), ShapeError);
+}
+
+TEST(Simulation, AcceptsAllScenesOfFilesAsIfMadeInCode) {
+  for (const auto& entry : std::filesystem::directory_iterator(THAW_SOURCE_DIR "/scenes")) {
+    if (entry.path().extension() != ".toml") continue;
+    EXPECT_NO_THROW(checkBuiltScene(readScene(entry.path().string()), "code")) << entry.path();
+  }
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/scene/tables/read_sections.hpp"
 
+#include "core/domain/extensions.hpp"
 #include "core/scene/quality.hpp"
 #include "io/scene/tables/read_extension.hpp"
 #include "io/scene/tables/read_shape.hpp"
@@ -133,7 +134,29 @@ std::vector<KeyDescription> sceneKeys() {
   reading.scene = &s;
   TableReader top("", keys, TableReader::Mode::Describing);
   readSections(top, reading);
+  for (const std::string& name : extensionNames([](const Extension& e) { return e.usesTable(); })) {
+    TableReader table("extension." + name, keys, TableReader::Mode::Describing);
+    ExtensionSettings settings;
+    settings.name = name;
+    readExtension(table, settings, reading);
+  }
   return keys;
+}
+
+std::vector<SceneError> valueErrors(Scene s) {
+  ValueCheck check;
+  std::vector<KeyDescription> keys;
+  Scene standard;
+  SceneReading reading;
+  reading.scene = &standard;
+  TableReader describing("", keys, TableReader::Mode::Describing);
+  describing.checkBy(check);
+  readSections(describing, reading);
+  reading.scene = &s;
+  TableReader recording("", keys, TableReader::Mode::Recording);
+  recording.checkBy(check);
+  readSections(recording, reading);
+  return std::move(check.errors);
 }
 
 std::vector<KeyDescription> sceneValues(Scene s) {

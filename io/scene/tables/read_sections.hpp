@@ -32,6 +32,9 @@ std::vector<KeyDescription> sceneKeys();
 /// Returns the values (SI) that a restart compares, of a scene whose defaults are chosen.
 std::vector<KeyDescription> sceneValues(Scene scene);
 
+/// Returns the values that are out of the ranges of scene files, of a scene that a program has built.
+std::vector<SceneError> valueErrors(Scene scene);
+
 void readDomain(TableReader& reader, Domain& domain);
 void readNumerics(TableReader& reader, Numerics& numerics);
 void readSurface(TableReader& reader, SurfaceSettings& surface);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "io/scene/text/checksum.hpp"
 #include "io/scene/text/nearest_word.hpp"
@@ -110,6 +111,7 @@ void TableReader::describeTable(const char* key, KeyForm::Type type, const char*
 
 TableReader TableReader::inner(const std::string& path, std::vector<KeyDescription>& keys) const {
   TableReader r(path, keys, mode_);
+  r.check_ = check_;
   r.restart_ = restart_;
   r.where_ = where_;
   return r;
@@ -162,13 +164,35 @@ bool TableReader::quantity(const toml::node& n, const char* key, const char* uni
   return value = v, true;
 }
 
+void TableReader::checkNumber(const char* key, const char* unit, const Range& range, double value) {
+  if (!check_) return;
+  if (describing()) check_->defaults.emplace(key, value);
+  const bool word = (range.orNever && value == never) || (range.orOff && value == 0);
+  const bool standard = !std::isnan(value) && check_->defaults.count({key, value}) > 0;
+  if (!recording() || word || standard) return;
+  if (!std::isfinite(value))
+    check_->errors.push_back({where_, fmt::format("{}: must be a finite number, got {}", named(key), value)});
+  else if (!range.holds(value))
+    check_->errors.push_back({where_, fmt::format("{}: must be {}, got {}", named(key),
+                                                  withUnit(range.requirement(), unit), value)});
+}
+
+/// Throws std::invalid_argument at once, since the number is an index.
+void TableReader::checkWord(const char* key, int value, const std::vector<std::string>& words) {
+  if (value >= 0 && static_cast<std::size_t>(value) < words.size()) return;
+  throw std::invalid_argument(
+      fmt::format("{}: expected one of {}, got number {}", named(key), listOf(words), value));
+}
+
 void TableReader::number(const char* key, double& value, const char* unit, const Range& range,
                          const char* about) {
+  checkNumber(key, unit, range, value);
   describe({"", key, unit, range.text(), numberText(value), about}, {KeyForm::Type::Quantity, range});
   if (const toml::node* n = get(key)) quantity(*n, key, unit, range, value);
 }
 void TableReader::number(const char* key, std::optional<double>& value, const char* unit, const Range& range,
                          const char* about) {
+  if (value) checkNumber(key, unit, range, *value);
   describe({"", key, unit, range.text(), value ? numberText(*value) : "none", about},
            {KeyForm::Type::Quantity, range});
   double v = 0;
@@ -177,6 +201,8 @@ void TableReader::number(const char* key, std::optional<double>& value, const ch
 
 void TableReader::whole(const char* key, std::int64_t& value, std::int64_t low, std::int64_t high,
                         const char* about) {
+  checkNumber(key, "", between(static_cast<double>(low), static_cast<double>(high)),
+              static_cast<double>(value));
   describe({"", key, "", fmt::format("{} ... {}, whole", low, high), fmt::format("{}", value), about},
            {KeyForm::Type::Whole, between(static_cast<double>(low), static_cast<double>(high))});
   const toml::node* n = get(key);
@@ -204,10 +230,12 @@ bool TableReader::readVector(const char* key, const char* unit, Vec3d& value) {
   return true;
 }
 void TableReader::vector(const char* key, Vec3d& value, const char* unit, const char* about) {
+  for (int a = 0; a < 3; a++) checkNumber(key, unit, anyNumber(), value[a]);
   describe({"", key, unit, "three numbers", vectorText(value), about}, {KeyForm::Type::Vector});
   readVector(key, unit, value);
 }
 void TableReader::vector(const char* key, std::optional<Vec3d>& value, const char* unit, const char* about) {
+  for (int a = 0; value && a < 3; a++) checkNumber(key, unit, anyNumber(), (*value)[a]);
   describe({"", key, unit, "three numbers", value ? vectorText(*value) : "none", about},
            {KeyForm::Type::Vector});
   Vec3d v{};
@@ -252,7 +280,8 @@ void TableReader::words(const char* key, std::vector<std::string>& value,
 
 void TableReader::choice(const char* key, int& value, const std::vector<std::string>& words,
                          const char* about) {
-  describe({"", key, "", listOf(words), "\"" + words[static_cast<std::size_t>(value)] + "\"", about},
+  checkWord(key, value, words);
+  describe({"", key, "", listOf(words), "\"" + words.at(static_cast<std::size_t>(value)) + "\"", about},
            {KeyForm::Type::Choice, {}, words});
   const toml::node* n = get(key);
   if (!n) return;
@@ -268,6 +297,8 @@ void TableReader::choice(const char* key, int& value, const std::vector<std::str
 }
 
 void TableReader::blend(const BlendKey& k, Blend& value) {
+  checkNumber(k.key, k.unit, k.range, value.solid);
+  checkNumber(k.key, k.unit, k.range, value.liquid);
   const std::string standard = value.solid == value.liquid
                                    ? numberText(value.solid)
                                    : fmt::format("{{ solid = {}, liquid = {} }}", numberText(value.solid),
@@ -289,6 +320,10 @@ void TableReader::blend(const BlendKey& k, Blend& value) {
 }
 
 void TableReader::pairs(const PairsKey& k, std::vector<std::pair<double, double>>& value) {
+  for (const auto& [first, second] : value) {
+    checkNumber(k.key, k.unit1, k.range1, first);
+    checkNumber(k.key, k.unit2, k.range2, second);
+  }
   std::vector<std::string> texts;
   for (const auto& [first, second] : value)
     texts.push_back(fmt::format("[{}, {}]", numberText(first), numberText(second)));

@@ -77,6 +77,13 @@ struct KeyDescription {
   KeyForm form{};
 };
 
+/// Checks the values of a scene that a program has built. The describing pass collects the defaults, which
+/// are always valid; the recording pass checks all values.
+struct ValueCheck {
+  std::set<std::pair<std::string, double>> defaults{};  ///< key and number
+  std::vector<SceneError> errors{};
+};
+
 class TableReader {
  public:
   /// Reads `table`, called `path` in messages.
@@ -85,6 +92,9 @@ class TableReader {
   /// Describes all keys of the tables called `path`, or records the keys and values of a scene. Recording
   /// calls read functions with the scene's own structs. It omits keys without a value and Restart::Free.
   TableReader(std::string path, std::vector<KeyDescription>& keys, Mode mode);
+
+  /// Checks all values by `check`. Requires: a mode other than Reading.
+  void checkBy(ValueCheck& check) { check_ = &check; }
 
   bool reading() const { return mode_ == Mode::Reading; }
   bool describing() const { return mode_ == Mode::Describing; }
@@ -200,6 +210,8 @@ class TableReader {
   std::string named(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
   void describe(KeyDescription key, KeyForm form = {});
   void describeTable(const char* key, KeyForm::Type type, const char* about);
+  void checkNumber(const char* key, const char* unit, const Range& range, double value);
+  void checkWord(const char* key, int value, const std::vector<std::string>& words);
   bool readVector(const char* key, const char* unit, Vec3d& value);
   TableReader inner(const std::string& path, std::vector<KeyDescription>& keys) const;
   void eachTable(const char* key, const char* about, const std::function<void(TableReader&)>& read);
@@ -242,6 +254,7 @@ class TableReader {
   std::string path_;
   std::vector<SceneError>* errors_ = nullptr;
   std::vector<KeyDescription>* keys_ = nullptr;
+  ValueCheck* check_ = nullptr;
   std::optional<Restart> restart_, once_;
   std::optional<KeyForm::Type> alternative_;
   const char* default_ = nullptr;

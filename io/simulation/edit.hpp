@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Changes of velocities and temperatures that a program makes between two steps.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+/// Values of the owned rows at the start of an edit.
+struct Edit {
+  bool open = false;
+  std::vector<Vec3d> velocity;
+  std::vector<double> temperature;  ///< empty in a scene without heat
+};
+
+/// Returns an edit that starts from the current values.
+Edit startEdit(const Continuum& particles);
+
+/// Returns whether a row of this rank differs from its value at the start.
+bool isEdited(const Continuum& particles, const Edit& edit);
+
+/// Returns what is wrong with the first refused row of this rank, or "". Refused are values that are not
+/// finite, and temperatures below 0 K.
+std::string editProblem(const Continuum& particles, const Edit& edit);
+
+/// Sets velocities and temperatures back to their values at the start.
+void undoEdit(Continuum& particles, const Edit& edit);
+
+/// Records the changes as work, impulse and heat from outside in the ledger. Enthalpies follow the
+/// temperatures.
+void recordEdit(World& world, const Edit& edit);
+
+}  // namespace thaw

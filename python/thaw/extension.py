@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Forces, sources of heat and fields that scenes name as [extension.NAME]."""
+
+from __future__ import annotations
+
+from typing import Any, Callable, Mapping, Optional
+
+import numpy as np
+
+from ._load import core, schemaText
+from .rows import Rows
+
+__all__ = ["register_extension"]
+
+Load = Callable[[Rows, float, np.ndarray, Optional[np.ndarray]], None]
+
+
+def callLoad(load: Load, source: Any, time: float, forces: np.ndarray, flow: Optional[np.ndarray]) -> None:
+    """Calls a load with rows that end with the call."""
+    rows = Rows(source, "particles", False)
+    try:
+        load(rows, time, forces, flow)
+    finally:
+        rows._close()
+
+
+def register_extension(
+    name: str,
+    keys: Optional[Mapping[str, Any]] = None,
+    *,
+    force: Optional[Callable[[Rows, float, Mapping[str, float]], Any]] = None,
+    heat: Optional[Callable[[Rows, float, Mapping[str, float]], Any]] = None,
+    step_limit: Optional[Callable[[Mapping[str, float]], float]] = None,
+    fields: Optional[Mapping[str, Any]] = None,
+    update: Optional[Callable[[Rows, float, float, Mapping[str, float]], Any]] = None,
+    about: str = "",
+) -> None:
+    """Registers a force, a source of heat, or fields that scenes name as [extension.NAME].
+
+    keys: name -> default, or (default, unit), or (default, unit, least, most, meaning).
+    force(p, t, values) returns newtons of shape (n, 3), heat(p, t, values) watts of shape (n,), for the n
+    particles p of this rank at time t (s). step_limit(values) returns the longest stable step, s.
+    fields: name -> unit, or (unit, meaning, components, start value). They are arrays of doubles that move
+    with their particles, are in checkpoints, and in frames that list them in output.fields.
+    update(p, t, dt, values) sets them at the end of each step of dt seconds, by p.name[...] = values.
+    Scenes that name an unregistered extension are refused, also at a restart. With `heat`, scenes that name
+    this extension have heat.
+    """
+
+    def note(key: str, given: Any) -> tuple[str, str, float, float, float, str]:
+        given = given if isinstance(given, (tuple, list)) else (given,)
+        default, unit, least, most, meaning = (*given, *("", -np.inf, np.inf, "")[len(given) - 1 :])
+        return key, unit, float(default), float(least), float(most), meaning
+
+    def load(values: Mapping[str, float]) -> Callable[..., None]:
+        def add(p: Rows, time: float, forces: np.ndarray, flow: Optional[np.ndarray]) -> None:
+            if force is not None:
+                forces += force(p, time, values)
+            if heat is not None:
+                flow += heat(p, time, values)
+
+        return lambda *given: callLoad(add, *given)
+
+    def field_note(field: str, given: Any) -> tuple[str, str, str, int, float]:
+        given = (given,) if isinstance(given, str) else tuple(given)
+        unit, meaning, components, start = (*given, *("", 1, 0.0)[len(given) - 1 :])
+        return field, unit, meaning, int(components), float(start)
+
+    def make_update(values: Mapping[str, float]) -> Callable[..., None]:
+        def advance(source: Any, time: float, dt: float) -> None:
+            rows = Rows(source, "particles", False)
+            try:
+                update(rows, time, dt, values)
+            finally:
+                rows._close()
+
+        return advance
+
+    core().register_extension(
+        name,
+        about,
+        [note(key, given) for key, given in (keys or {}).items()],
+        [field_note(field, given) for field, given in (fields or {}).items()],
+        load if force is not None or heat is not None else None,
+        make_update if update is not None else None,
+        step_limit,
+        heat is not None,
+    )
+    schemaText.cache_clear()

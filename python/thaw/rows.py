@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The rows of a table on one rank, as arrays over the simulation's own memory."""
+
+from __future__ import annotations
+
+from typing import Any, Optional
+
+import numpy as np
+
+__all__ = ["LocalArray", "Rows"]
+
+
+class LocalArray(np.ndarray):
+    """An array over the simulation's memory. Results of computations are ordinary arrays.
+
+    After its block any access raises RuntimeError. Arrays that numpy has made of it by other ways, such as
+    np.asarray, then keep the values of the end of the block.
+    """
+
+    _rows: Optional["Rows"] = None
+
+    def __array_finalize__(self, source: Any) -> None:
+        # A view has an array as its base; a copy has none, and is valid for ever.
+        if isinstance(self.base, LocalArray):
+            self._rows = self.base._rows
+
+    def _plain(self) -> np.ndarray:
+        if self._rows is not None and not self._rows._open:
+            raise RuntimeError(ENDED.format("the array"))
+        return self.view(np.ndarray)
+
+    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **options: Any) -> Any:
+        out = options.get("out")
+        if out is not None:
+            options["out"] = tuple(_plain(one) for one in out)
+        if "where" in options:
+            options["where"] = _plain(options["where"])
+        result = getattr(ufunc, method)(*(_plain(one) for one in inputs), **options)
+        if out is None or result is NotImplemented or result is None:
+            return result
+        return out[0] if len(out) == 1 else out  # `p.velocity += dv` needs the array itself
+
+    def __array_function__(self, function: Any, types: Any, arguments: Any, options: Any) -> Any:
+        self._plain()
+        return super().__array_function__(function, types, arguments, options)
+
+    def __getitem__(self, key: Any) -> Any:
+        self._plain()
+        return super().__getitem__(key)
+
+    def __setitem__(self, key: Any, values: Any) -> None:
+        self._plain()[_plain(key)] = _plain(values)
+
+    def copy(self, order: Any = "C") -> np.ndarray:
+        return self._plain().copy(order)
+
+    def astype(self, *arguments: Any, **options: Any) -> np.ndarray:
+        return self._plain().astype(*arguments, **options)
+
+    def tolist(self) -> list:
+        return self._plain().tolist()
+
+    def tobytes(self, order: Any = "C") -> bytes:
+        return self._plain().tobytes(order)
+
+    def item(self, *arguments: Any) -> Any:
+        return self._plain().item(*arguments)
+
+    def __len__(self) -> int:
+        return len(self._plain())
+
+    def __repr__(self) -> str:
+        if self._rows is not None and not self._rows._open:
+            return "<array of a block that has ended>"
+        return repr(self._plain())
+
+    __str__ = __repr__
+
+    def __reduce__(self) -> Any:
+        return self._plain().__reduce__()
+
+
+ENDED = "{}: its block, or its call of a function, has ended; copy values in it, or use sim.gather()"
+
+
+def _plain(value: Any) -> Any:
+    return value._plain() if isinstance(value, LocalArray) else value
+
+
+class Rows:
+    """The rows of one table on this rank, inside of a block `with sim.local() as p`.
+
+    Fields are arrays over the simulation's own memory, without a copy: `p["temperature"]` or `p.temperature`.
+    Outside of the block, access to the rows and to their arrays raises RuntimeError. Values of `velocity` and
+    `temperature` of particles may be changed in place (`p.velocity += dv`); all other arrays are read-only.
+    """
+
+    def __init__(self, source: Any, table: str, changes: bool):
+        self.__dict__.update(_source=source, _table=table, _changes=changes, _open=True, _arrays={})
+
+    def _close(self) -> None:
+        self.__dict__.update(_open=False, _arrays={})
+
+    def _need(self, what: str) -> None:
+        if not self._open:
+            raise RuntimeError(ENDED.format(what))
+
+    def __getitem__(self, field: str) -> np.ndarray:
+        self._need(f"'{field}'")
+        if field in self._arrays:
+            return self._arrays[field]
+        try:
+            values = self._source.view(self._table, field, self._changes and field in self._WRITABLE)
+        except KeyError:
+            raise KeyError(
+                f"unknown field '{field}'; the {self._table} have {', '.join(self.fields())}"
+            ) from None
+        self._arrays[field] = _local(values, self)
+        return self._arrays[field]
+
+    _WRITABLE = ("velocity", "temperature")
+
+    def __getattr__(self, field: str) -> np.ndarray:
+        if field.startswith("_"):
+            raise AttributeError(field)
+        try:
+            return self[field]
+        except KeyError as error:
+            raise AttributeError(error.args[0]) from None
+
+    def __setitem__(self, field: str, values: Any) -> None:
+        array = self[field]
+        if values is not array:  # `p.velocity += dv` assigns the array to itself
+            array[...] = values
+
+    def __setattr__(self, field: str, values: Any) -> None:
+        try:
+            self[field] = values
+        except KeyError as error:
+            raise AttributeError(error.args[0]) from None
+
+    def __len__(self) -> int:
+        self._need("len()")
+        return self._source.rows(self._table)
+
+    def __contains__(self, field: str) -> bool:
+        return field in self.fields()
+
+    def fields(self) -> list[str]:
+        """Names of the fields of this table."""
+        self._need("fields()")
+        return [name for name, _, _, _ in self._source.fields(self._table)]
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *(self.fields() if self._open else ())})
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return self.fields()
+
+    def __repr__(self) -> str:
+        return f"<{len(self)} rows of {self._table}>" if self._open else f"<rows of {self._table}, ended>"
+
+
+def _local(values: np.ndarray, rows: Rows) -> LocalArray:
+    array = values.view(LocalArray)
+    array._rows = rows
+    return array
