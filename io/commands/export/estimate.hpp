@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Expected time and size of an export, from one frame.
 #pragma once
+#include <fmt/format.h>
+
+#include <filesystem>
 #include <functional>
+#include <system_error>
+#include <vector>
 
 #include "io/commands/export/export_frames.hpp"
 
@@ -15,7 +20,7 @@ struct SampleFile {
   std::filesystem::path path;
   /// Returns a name beside the file that an export writes.
   explicit SampleFile(const std::filesystem::path& beside)
-      : path(beside.parent_path() / ("." + beside.filename().string() + ".sample")) {}
+      : path(beside.parent_path() / fmt::format(".{}.sample", beside.filename().string())) {}
   ~SampleFile() {
     std::error_code ignored;
     std::filesystem::remove(path, ignored);
