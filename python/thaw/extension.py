@@ -24,6 +24,25 @@ def callLoad(load: Load, source: Any, time: float, forces: np.ndarray, flow: Opt
         rows._close()
 
 
+def checkedLoad(values: Any, wanted: tuple[int, ...], name: str) -> np.ndarray:
+    """Returns what a function of the program returned, as an array that can be added to one of this shape.
+
+    Raises ValueError for another shape and for values that are not finite, with the first such row.
+    """
+    try:
+        load = np.asarray(values, dtype=float)
+    except (TypeError, ValueError):
+        raise ValueError(
+            f"{name} returned {type(values).__name__}: expected an array of numbers of shape {wanted}"
+        ) from None
+    if load.ndim > len(wanted) or any(a not in (1, b) for a, b in zip(load.shape[::-1], wanted[::-1])):
+        raise ValueError(f"{name} returned an array of shape {load.shape}: expected {wanted}")
+    if not np.isfinite(load).all():
+        row = int(np.argwhere(~np.isfinite(np.broadcast_to(load, wanted)))[0][0])
+        raise ValueError(f"{name} returned a value that is not finite, for the particle of row {row}")
+    return load
+
+
 def register_extension(
     name: str,
     keys: Optional[Mapping[str, Any]] = None,
@@ -55,9 +74,9 @@ def register_extension(
     def load(values: Mapping[str, float]) -> Callable[..., None]:
         def add(p: Rows, time: float, forces: np.ndarray, flow: Optional[np.ndarray]) -> None:
             if force is not None:
-                forces += force(p, time, values)
+                forces += checkedLoad(force(p, time, values), forces.shape, f"force of extension '{name}'")
             if heat is not None:
-                flow += heat(p, time, values)
+                flow += checkedLoad(heat(p, time, values), flow.shape, f"heat of extension '{name}'")
 
         return lambda *given: callLoad(add, *given)
 

@@ -11,7 +11,8 @@ from typing import Any, Callable, Iterator, Mapping, Optional, Sequence, Union
 import numpy as np
 
 from ._load import core
-from .extension import Load, callLoad
+from .errors import BlewUp
+from .extension import Load, callLoad, checkedLoad
 from .log import Log
 from .obstacles import Obstacles
 from .picture import Picture, draw
@@ -69,6 +70,7 @@ class Simulation:
         # The compiled part has only weak references, so that a simulation ends with its last reference.
         self._calls: dict[str, list[Callable[..., Any]]] = {}
         self._loads: dict[int, Load] = {}
+        self._failure: Optional[str] = None  # message of BlewUp, until restore()
         self._local: list[Rows] = []
         self._obstacles: Optional[Obstacles] = None
         self._signals = StopSignals(always=self._core.ranks > 1)
@@ -125,8 +127,19 @@ class Simulation:
         Raises what functions of the program have raised in it, on all ranks: the ranks without an exception
         of their own raise RuntimeError("rank 1: KeyError: ...").
         """
-        with self._signals:
+        with self._signals, self._stepping():
             return self._core.step()
+
+    @contextlib.contextmanager
+    def _stepping(self) -> Iterator[None]:
+        """Keeps the failure of a simulation, which has no valid state until restore()."""
+        if self._failure is not None:
+            raise BlewUp(self._failure)
+        try:
+            yield
+        except BlewUp as failure:
+            self._failure = str(failure)
+            raise
 
     def run(self, until: Optional[float] = None, steps: Optional[int] = None, progress: bool = False) -> None:
         """Steps until a time (s), for a number of steps, or to the end of the scene.
@@ -134,7 +147,8 @@ class Simulation:
         progress: a bar in a terminal or a notebook, on the first rank. Ctrl-C, SIGTERM, SIGUSR1 and SIGUSR2
         end the run after the current step on all ranks. With a folder they write a checkpoint. They raise
         KeyboardInterrupt, and the simulation can go on. Exceptions of functions are raised as by step().
-        Raises ValueError for a time that has passed.
+        `until` may lie beyond the end of the scene. Raises ValueError for a time that has passed, and BlewUp
+        where the retries of a step are used up, then and in all later calls until restore().
         """
         if until is not None and not until >= self.time:
             raise ValueError(
@@ -153,7 +167,7 @@ class Simulation:
                 sys.stderr.flush()
 
         try:
-            with self._signals:
+            with self._signals, self._stepping():
                 self._core.run(until, steps, show)
         finally:
             if show:
@@ -325,6 +339,7 @@ class Simulation:
     def restore(self) -> None:
         """Goes back to the newest checkpoint in the folder, with all functions that were added."""
         self._core.restore()
+        self._failure = None
 
     # -- functions of the program ----------------------------------------------------------------------------
     # The compiled part has only weak references, so that a simulation ends with its last reference.
@@ -386,7 +401,7 @@ class Simulation:
         """
 
         def load(p: Rows, time: float, forces: np.ndarray, flow: Optional[np.ndarray]) -> None:
-            forces += force(p, time)
+            forces += checkedLoad(force(p, time), forces.shape, _nameOf(force))
 
         self._add_load(load)
 
@@ -396,7 +411,7 @@ class Simulation:
             raise ValueError("the scene has no heat: nothing in it can change its temperature")
 
         def load(p: Rows, time: float, forces: np.ndarray, flow: Optional[np.ndarray]) -> None:
-            flow += heat(p, time)
+            flow += checkedLoad(heat(p, time), flow.shape, _nameOf(heat))
 
         self._add_load(load)
 
@@ -413,6 +428,10 @@ class Simulation:
         except BaseException:
             self._loads[number] = _nothing  # a force that fails at once is not added
             raise
+
+
+def _nameOf(call: Callable[..., Any]) -> str:
+    return getattr(call, "__name__", type(call).__name__)
 
 
 def _callAll(calls: Sequence[Callable[..., Any]], *given: Any) -> None:
