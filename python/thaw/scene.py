@@ -152,7 +152,7 @@ class Scene(metaclass=_Completed):
         """Returns the report of `thaw check`, or the errors of the scene. Takes seconds.
 
         ranks: number of ranks for the estimates of memory and time; 0: one. Keys of registered extensions
-        are known. Under mpirun each rank checks alone. Raises what functions of extensions raise.
+        are accepted. Not collective: each rank checks by itself. Exceptions of extension functions pass on.
         """
         overrides = [f"{key}={self.toml_value(value)}" for key, value in self.overrides.items()]
         if self.keys is None:

@@ -122,8 +122,8 @@ class Simulation:
     def step(self) -> bool:
         """Takes one step. Returns False without a step at the end of the scene or after a stop request.
 
-        Raises what functions of the program have raised in it, on all ranks: the ranks without an exception
-        of their own raise RuntimeError("rank 1: KeyError: ...").
+        Exceptions of functions of the program are raised on all ranks at the end of the step. Ranks without
+        one of their own raise RuntimeError("rank 1: KeyError: ...").
         """
         with self._signals:
             return self._core.step()
@@ -221,11 +221,11 @@ class Simulation:
     def local(self, table: str = "particles") -> Iterator[Rows]:
         """The rows of this rank, as arrays without a copy. See Rows.
 
-        All ranks enter the block. Where velocities or temperatures of particles were changed, forces are
-        computed anew at its end, and the ledger records the change as work, impulse and heat from outside.
+        All ranks enter the block. If velocities or temperatures of particles were changed, forces are
+        computed anew at its end. The ledger records the change as work, impulse and heat from outside.
         Raises ValueError on all ranks for values that are not finite and for temperatures below 0 K, and
-        takes the changes back. Raises RuntimeError within a block of the particles. In a block no step, frame
-        and checkpoint is possible.
+        reverts the changes. Raises RuntimeError within a block of the particles. In a block no step, frame
+        or checkpoint is possible.
         """
         changes = table == "particles"
         if changes and self._local:
@@ -253,8 +253,8 @@ class Simulation:
         """Energies (J), mass (kg), momentum (kg m/s), heat (J) and their residuals over all ranks, now.
 
         Names are those of history, where vectors have the keys momentum_x, momentum_y, momentum_z.
-        outside_work is wall_work: work of walls and of the program. entered_... and left_... are what came
-        and went through openings and open sides.
+        outside_work is wall_work: work of walls and of the program. entered_... and left_... are sums over
+        particles that entered through openings and left through open sides.
         """
         return self._core.ledger()
 
@@ -323,7 +323,7 @@ class Simulation:
         self._core.write_checkpoint()
 
     def restore(self) -> None:
-        """Goes back to the newest checkpoint in the folder, with all functions that were added."""
+        """Goes back to the newest checkpoint in the folder. Functions that were added stay."""
         self._core.restore()
 
     # -- functions of the program ----------------------------------------------------------------------------
@@ -339,8 +339,8 @@ class Simulation:
     def on_step(self, call: Callable[["Simulation"], Any]) -> None:
         """Calls call(sim) after each step.
 
-        run() and step() raise its exceptions on all ranks, after the step, in which other functions are
-        still called.
+        run() and step() raise its exceptions on all ranks at the end of the step. Other functions of the step
+        are still called.
         """
         self._add("on_step", call)
 
@@ -352,7 +352,7 @@ class Simulation:
         """Calls call(p, t) after a phase of each step, with the particles p of this rank.
 
         phase: "predict" (half kick, drift), "redistribute" (emission, migration, sort), "density", "forces",
-        "integrate" (second half kick), "phase_change" (heat, melting) or "end_of_step" (next step known).
+        "integrate" (second half kick), "phase_change" (heat, melting) or "end_of_step" (next dt known).
         t is the time of the last complete step, s; after "end_of_step" that of this one. Arrays are
         read-only, except for fields of extensions. Raises ValueError for an unknown phase.
         """
@@ -378,9 +378,9 @@ class Simulation:
     def add_force(self, force: Callable[[Rows, float], Any]) -> None:
         """Adds a force: force(p, t) returns newtons of shape (n, 3) for the n particles p of this rank.
 
-        Called once a step at their positions at time t (s), and now. Raises what the function raises, and
-        then does not add it. Its work and impulse are in the ledger. For the
-        same bits on any number of ranks, a particle's force must follow from its own fields and t alone.
+        It is called now, except after a restart, and once a step at the positions at time t (s). If it
+        raises an exception now, it is not added. Its work and impulse are in the ledger. For the same bits on
+        any number of ranks, a particle's force must follow from its own fields and t alone.
         The automatic sound speed of liquids does not include it: give material.NAME.sound_speed, ten times
         the largest speed of the flow.
         """

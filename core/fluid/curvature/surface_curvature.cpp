@@ -16,8 +16,8 @@
 namespace thaw {
 namespace {
 
-/// Colour gradients over that of a flat surface between which the weight rises from 0 to 1. Disorder inside
-/// the liquid causes up to 0.3.
+/// Bounds of the colour gradient over that of a flat surface, between which the weight rises from 0 to 1.
+/// Disorder inside the liquid gives up to 0.3.
 constexpr double insideGradient = 0.35, surfaceGradientFrom = 0.6;
 
 /// Distances from a wall in spacings: up to the first, the normal is that of the contact angle; from the
