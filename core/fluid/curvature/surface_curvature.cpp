@@ -73,8 +73,8 @@ const WallContact* closestWall(const CurvatureContext& x, std::uint32_t row) {
   return closest;
 }
 
-/// Replaces the normal close to a wall by that of the contact angle, n = m cos(theta) + t sin(theta), with
-/// the normal m of the wall and the direction t of the colour gradient along it. A film along the wall keeps
+/// Replaces the normal close to a wall by that of the contact angle, n = m cos(theta) + t sin(theta). m is
+/// the normal of the wall, and t the direction of the colour gradient along it. A film along the wall keeps
 /// its own normal.
 Vec3d normalAtWall(const CurvatureContext& x, std::uint32_t i, const Vec3d& n) {
   const WallContact* c = closestWall(x, i);
