@@ -88,7 +88,7 @@ def _plain(value: Any) -> Any:
 
 
 class Rows:
-    """The rows of one table on this rank, inside of a block `with sim.local() as p`.
+    """The rows of one table on this rank, in a block `with sim.local() as p`.
 
     Fields are arrays over the simulation's own memory, without a copy: `p["temperature"]` or `p.temperature`.
     Outside of the block, access to the rows and to their arrays raises RuntimeError. Values of `velocity` and

@@ -35,9 +35,12 @@ class Simulation:
     scene: a path, a thaw.Scene, or a dict of its keys.
     out: folder for frames, checkpoints and the summary; None: nothing is written.
     comm: an mpi4py communicator; None: all ranks. All ranks of it call all methods in the same order.
-    restart: continue from the checkpoint in `out`, which has to be there; resume: continue if there is one.
+    restart: continue from the checkpoint in `out`, which must exist.
+    resume: continue from the checkpoint in `out` if there is one.
+    force: take over the folder from a run of another host.
     set: overrides of keys, such as {"numerics.cfl_sound": 0.2}.
     log: called with each line of progress and each warning, on the first rank.
+    time_limit: wall-clock time after which the simulation stops, s; None: no limit.
 
     Raises thaw.SceneError (with file, line and what was expected), thaw.FileError, thaw.BlewUp.
     """
@@ -131,10 +134,11 @@ class Simulation:
     def run(self, until: Optional[float] = None, steps: Optional[int] = None, progress: bool = False) -> None:
         """Steps until a time (s), for a number of steps, or to the end of the scene.
 
-        progress: a bar in a terminal or a notebook, on the first rank. Ctrl-C, SIGTERM, SIGUSR1 and SIGUSR2
-        end the run after the current step on all ranks. With a folder they write a checkpoint. They raise
-        KeyboardInterrupt, and the simulation can go on. Exceptions of functions are raised as by step().
-        Raises ValueError for a time that has passed.
+        progress: a bar in a terminal or a notebook, on the first rank.
+
+        Ctrl-C, SIGTERM, SIGUSR1 and SIGUSR2 end the run after the current step on all ranks. With a folder
+        they write a checkpoint. They raise KeyboardInterrupt, and the simulation can go on. Exceptions of
+        functions are raised as by step(). Raises ValueError for a time that has passed.
         """
         if until is not None and not until >= self.time:
             raise ValueError(
@@ -169,12 +173,12 @@ class Simulation:
 
     @property
     def stopped(self) -> bool:
-        """True after a stop request: a stop file, a time limit, request_stop(). resume() takes it back."""
+        """True after a stop request: a stop file, a time limit, request_stop(). resume() clears it."""
         return self._core.stopped
 
     @property
     def stop_reason(self) -> str:
-        """What asked to stop."""
+        """Cause of the stop."""
         return self._core.stop_reason
 
     def request_stop(self) -> None:
@@ -212,7 +216,7 @@ class Simulation:
 
     @property
     def particles(self) -> Rows:
-        """The particles of this rank, inside of a block `with sim.local()`: sim.particles["temperature"]."""
+        """The particles of this rank, in a block `with sim.local()`: sim.particles["temperature"]."""
         if not self._local:
             raise RuntimeError("sim.particles: use it in a block `with sim.local()`, or sim.gather()")
         return self._local[-1]
@@ -280,8 +284,11 @@ class Simulation:
         """Returns a picture of the current points, which notebooks show. All ranks call it.
 
         field: of particles, for their colours; default: "temperature" with heat, else the speed.
-        size: width and height in pixels. limits: lowest and highest value of the colours. eye, at: points
-        in m that give the direction of the view. `thaw render` draws better pictures of frames.
+        size: width and height in pixels.
+        limits: lowest and highest value of the colours.
+        eye, at: points that give the direction of the view, m.
+
+        `thaw render` draws better pictures of frames.
         """
         points, values = [], []
         for table in ("particles", "oriented", "sheets"):
@@ -353,6 +360,7 @@ class Simulation:
 
         phase: "predict" (half kick, drift), "redistribute" (emission, migration, sort), "density", "forces",
         "integrate" (second half kick), "phase_change" (heat, melting) or "end_of_step" (next dt known).
+
         t is the time of the last complete step, s; after "end_of_step" that of this one. Arrays are
         read-only, except for fields of extensions. Raises ValueError for an unknown phase.
         """
