@@ -229,7 +229,7 @@ void addVector(Ledgers& to, const std::string& name, const Vec3d& v) {
   for (int a = 0; a < 3; a++) to[name + "_" + "xyz"[a]] = v[a];
 }
 
-/// Adds what has entered or left through openings and open sides.
+/// Adds the sums over particles that entered through openings or left through open sides.
 void addFlow(Ledgers& to, const std::string& name, const Balance& flow) {
   to[name + "_mass"] = flow.mass;
   to[name + "_kinetic"] = flow.kinetic;
