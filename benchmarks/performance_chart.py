@@ -135,7 +135,7 @@ def view():
         if case in rows:
             r = rows[case]
             unit = "instructions" if r["note"].startswith("instructions") else "processor time"
-            text.append(f"a page {words} adds {float(r['value']):.2g} % to its {unit}")
+            text.append(f"a page {words} adds {float(r['value']):.2g} % to the {unit} of a run")
     rates = [
         f"{float(r['value']):.1f} pictures a second of {r['case'].removeprefix('pictures of ')}"
         for r in rows.values()

@@ -7,7 +7,7 @@
 A dam break runs on one core: alone, with a client that follows it as the page does but draws nothing, and
 with the page in headless Chromium. The three kinds of runs alternate. Their costs are medians of processor
 time. The browser draws on the same processor. Then the page draws a block of liquid from many sides.
---count counts instructions of the runs with valgrind instead of their time, once, and without the browser:
+--count counts the instructions of each run once by valgrind instead of its time, without the browser. It is
 for machines on which other programs run. Columns of the file: case, particles, surfels, value, unit, note.
 """
 import argparse

@@ -20,7 +20,7 @@ namespace {
 
 /// Limits a decay rate r (1/s) for a step dt: unchanged up to r dt = 1/2, smaller beyond, so that it never
 /// overshoots. The neighbours' forces are not averaged over the step. The average of this one, (1 - exp(-r
-/// dt)) / dt, is too low by a fraction r dt / 2, about a tenth. The liquid would slip.
+/// dt)) / dt, is too low by a fraction r dt / 2, about a tenth, so the liquid would slip.
 double overStep(double r, double dt) {
   const double share = r * dt;
   return share > 0.5 ? (1 - 0.5 * std::exp(1 - 2 * share)) / dt : r;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A body force with a key of its own: a harmonic trap holds a jelly ball, which swings through it as
-// cos(omega t). Kinetic energy, elastic energy and the trap's potential energy are constant together.
+// cos(omega t). The sum of its kinetic and elastic energy and its energy in the trap is constant.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

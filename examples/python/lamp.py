@@ -30,7 +30,7 @@ class Controller:
         error = self.target - temperature
         wanted = self.proportional * error + self.integral * (self.sum + error * dt)
         self.power = min(max(wanted, 0.0), self.most)
-        if wanted == self.power:  # the integral stands still while the power is at a limit
+        if wanted == self.power:  # anti-windup: the integral is frozen while the power is at a limit
             self.sum += error * dt
 
 

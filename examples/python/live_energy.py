@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plots the energy of a simulation while it runs, in a window, or in a picture that is renewed.
+"""Plots the energy of a simulation while it runs, in a window or in a picture that is updated.
 
-live_energy.py [PICTURE.png]     without a display, or with a picture: the file is renewed once a second
+live_energy.py [PICTURE.png]     without a display, or with a picture: the file is updated once a second
 """
 import os
 import sys
@@ -45,7 +45,7 @@ class LivePlot:
         self.axes.autoscale_view()
         if PICTURE is None:
             plt.pause(0.001)
-        else:  # a viewer never sees half a file
+        else:  # viewers never read an incomplete file
             self.figure.savefig(PICTURE + '.part', dpi=110, format='png')
             os.replace(PICTURE + '.part', PICTURE)
         self.drawn, self.pictures = time.monotonic(), self.pictures + 1

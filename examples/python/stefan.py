@@ -54,7 +54,7 @@ def frontAfterMelting(stefan):
 
 
 def neumannFront(stefan):
-    """The root of sqrt(pi) k exp(k^2) erf(k) = Ste gives the depth 2 k sqrt(t)."""
+    """Depth 2 k sqrt(t) of the melt, where k is the root of sqrt(pi) k exp(k^2) erf(k) = Ste."""
     low, high = 0.0, 2.0
     while high - low > 1e-12:
         k = (low + high) / 2

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Adds a force of one's own: a harmonic trap, in which a jelly ball swings as x0 cos(omega t).
+"""Adds a user-defined force: a harmonic trap, in which a jelly ball swings as x0 cos(omega t).
 
 trap.py [PICTURE.png]     mpirun -n 2 python3 trap.py works too
 """

@@ -10,7 +10,7 @@
 namespace thaw {
 namespace {
 
-/// Marks a run as within a step, also if it ends by an exception.
+/// Marks a run as within a step during its life.
 class Advancing {
  public:
   explicit Advancing(Run& r) : run_(r) { run_.advancing = true; }

@@ -220,7 +220,7 @@ void writeFrameOf(Run& r) {
 
 namespace {
 
-/// Renews the warnings of counters, ledger and surface.
+/// Updates the warnings of counters, ledger and surface.
 void countWarnings(Run& r, const Counters& counters) {
   r.countedWarnings = warningsOf(counters, r.summary.ledger);
   for (std::string& line : surfaceWarnings(r.summary.surface)) r.countedWarnings.push_back(std::move(line));

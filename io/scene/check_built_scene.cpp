@@ -57,7 +57,7 @@ class BuiltSceneCheck {
     nameAll(scene_.heatedRegions);
   }
 
-  /// Adds an error for a material that is not there. The reader's checks find materials by their names.
+  /// Collects the names of materials, which the reader's checks use. Adds an error for each missing material.
   template<class T>
   void refer(const std::vector<T>& list, const std::string& what, std::vector<MaterialName>& names, bool all,
              std::vector<SceneError>& errors) const {
@@ -112,7 +112,7 @@ class BuiltSceneCheck {
 void checkBuiltScene(Scene scene, const std::string& name) {
   try {
     BuiltSceneCheck(std::move(scene), name).run();
-  } catch (const std::invalid_argument& e) {  // a choice that is none of its words
+  } catch (const std::invalid_argument& e) {  // a choice with an unknown value
     throw SceneErrors({fmt::format("{}: error: {}", name, e.what())});
   }
 }

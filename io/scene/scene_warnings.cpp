@@ -120,7 +120,7 @@ void addCrushedSolids(const Scene& s, std::vector<std::string>& lines) {
   }
 }
 
-/// Warns of settings of sleep and rigid motion that act on no solid, and of rigid laws of liquids.
+/// Warns of settings of sleep and rigid motion without effect, and of rigid laws of liquids.
 void addUnusedSolidSettings(const Scene& s, std::vector<std::string>& lines) {
   const Numerics& n = s.numerics;
   const auto neverSolid = [](const Material& m) {

@@ -14,10 +14,10 @@
 namespace thaw {
 namespace {
 
-/// Time (s) of the second keyframe after a move: beyond each run, and a power of two, so that rates keep
-/// their bits.
+/// Interval (s) between the two keyframes of a move, longer than any run. It is a power of two, so scaling by
+/// it is exact.
 constexpr double horizon = 1048576;
-/// Keyframes that are kept, so that a step that is repeated from a snapshot finds the earlier motion.
+/// Number of keyframes to keep. A retry repeats steps from a snapshot, and needs the motion of that time.
 constexpr std::size_t mostKeyframes = 4096;
 
 std::size_t wallNamed(const Walls& walls, const std::string& name) {
@@ -31,7 +31,7 @@ std::size_t wallNamed(const Walls& walls, const std::string& name) {
                               (names.empty() ? "none" : names));
 }
 
-/// Images were made for the motion of the scene only.
+/// Returns true if the wall may have periodic images. They follow the motion of the scene only.
 bool mayHaveImages(const Domain& d, const Wall& wall) {
   for (int a = 0; a < 3; a++) {
     const double length = d.max[a] - d.min[a];
@@ -42,7 +42,7 @@ bool mayHaveImages(const Domain& d, const Wall& wall) {
   return false;
 }
 
-/// Forces that wallLoad() does not compute, and the part of the scene that has them.
+/// Throws std::invalid_argument if the scene has forces on obstacles that wallLoad() does not compute.
 void requireKnownForces(const Modules& m, const std::string& name) {
   const std::pair<bool, const char*> without[] = {{m.incompressible, "the incompressible solver"},
                                                   {m.implicitViscosity, "implicit viscosity"},

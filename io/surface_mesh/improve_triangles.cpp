@@ -242,8 +242,9 @@ class Improver {
     return area > 0 ? sum / area : at(v);
   }
 
-  /// Moves a vertex along the surface to x. Returns false, without a change, if a triangle would turn, or the
-  /// cosine of the smallest angle around it would exceed `most`, and with `orNow` also that of now.
+  /// Moves a vertex along the surface to x. Returns false, without a change, if a triangle would turn or an
+  /// angle would become too sharp. This is so if the cosine of the smallest angle around it exceeds `most`
+  /// and, with `orNow`, its present value.
   bool moveTo(std::uint32_t v, Vec3d x, double most, bool orNow = false) {
     const Vec3d n = normalOf(v);
     x -= dot(x - at(v), n) * n;

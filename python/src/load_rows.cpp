@@ -51,7 +51,7 @@ void callLoad(const Function& call, const OutsideLoad& load) {
   ProgramCalls& calls = currentCalls();
   const std::size_t n = load.particles.owned;
   const RowsOfCall of(load.particles, calls);
-  // A source adds to the column itself. Heat is in no column, so that its array is added afterwards.
+  // A source adds to the column of forces itself. Heat has no column, so its array is added afterwards.
   const py::array force = calls.arrays.of(load.particles.outsideForce, n, true);
   py::object heat = py::none();
   if (load.heat) {

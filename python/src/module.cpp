@@ -91,7 +91,7 @@ void defineSimulation(py::module_& m) {
       .def("add_load", &PythonSimulation::addLoad);
 }
 
-/// Each rank checks alone, so that one may do so.
+/// Not collective: each rank checks by itself.
 std::string checkOf(const std::string& path, const std::vector<std::string>& overrides, int ranks) {
   ProgramCalls calls;
   std::string report;

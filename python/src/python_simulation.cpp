@@ -61,7 +61,7 @@ std::vector<std::byte> allRows(MPI_Comm comm, const std::byte* mine, std::size_t
 
 }  // namespace
 
-/// Marks the simulation as in use by this thread, and its functions as those that it calls.
+/// Marks the simulation as in use by this thread, and makes its calls the current ones.
 class PythonSimulation::Busy {
  public:
   explicit Busy(PythonSimulation& s) : sim_(s), before_(s.busy_), scope_(*s.calls_) {
@@ -131,7 +131,7 @@ bool PythonSimulation::tryStep(bool share, SharedFailure& failure) {
   bool stepped = false;
   try {
     stepped = sim_.step();
-  } catch (const BlewUp&) {  // perhaps since a function of the program has failed; all ranks are here
+  } catch (const BlewUp&) {  // on all ranks; a failed function of the program may be the cause
     failure = shareFailure(*calls_, comm);
     if (failure) return false;
     throw;
@@ -157,7 +157,7 @@ bool PythonSimulation::anyRankCalls() const {
 
 namespace {
 
-/// Sets the end of the next steps, and sets it back.
+/// Sets the end of the simulation during its life, then the end of the scene again.
 class TemporaryEnd {
  public:
   TemporaryEnd(Simulation& sim, double end) : sim_(sim) { sim_.setEnd(end); }
@@ -229,7 +229,7 @@ void addVector(Ledgers& to, const std::string& name, const Vec3d& v) {
   for (int a = 0; a < 3; a++) to[name + "_" + "xyz"[a]] = v[a];
 }
 
-/// Adds what has entered or left through openings and open sides.
+/// Adds the sums over particles that entered through openings or left through open sides.
 void addFlow(Ledgers& to, const std::string& name, const Balance& flow) {
   to[name + "_mass"] = flow.mass;
   to[name + "_kinetic"] = flow.kinetic;

@@ -28,5 +28,5 @@ def core() -> ModuleType:
 
 @functools.lru_cache(maxsize=1)
 def schemaText() -> str:
-    """The JSON schema of scenes, with the keys of registered extensions, which clear the cache."""
+    """The JSON schema of scenes, with the keys of registered extensions. Registering one clears the cache."""
     return core().schema()

@@ -20,7 +20,7 @@ class FieldDifference:
     unit: str  #: unit of `largest` and `rms`
     ids: int  #: ids in both
     rows: int  #: ids with a difference: of bits, or above the tolerance
-    largest: float  #: largest |a - b| of a component; infinite where one is NaN and the other is not
+    largest: float  #: largest abs(a - b) of a component; infinite where only one of them is NaN
     largest_id: Optional[int]  #: id with the largest difference; None if no id differs
     rms: float  #: root of the mean over ids (of bonds, over bonds) of the squared length of a - b
 
@@ -34,8 +34,8 @@ class FieldDifference:
 class Comparison:
     """Result of `Run.compare` and `Frame.compare`. `fields` has all fields that were compared."""
 
-    a: str
-    b: str
+    a: str  #: path of the first file
+    b: str  #: path of the second file
     general: List[str]  #: other differences: times, counters, sets of ids, fields of one side only
     fields: Dict[str, FieldDifference]  #: 'particles/velocity' -> differences
     frames: List['Comparison']  #: of `Run.compare(..., frames=True)`

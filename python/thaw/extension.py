@@ -57,13 +57,17 @@ def register_extension(
     """Registers a force, a source of heat, or fields that scenes name as [extension.NAME].
 
     keys: name -> default, or (default, unit), or (default, unit, least, most, meaning).
-    force(p, t, values) returns newtons of shape (n, 3), heat(p, t, values) watts of shape (n,), for the n
-    particles p of this rank at time t (s). step_limit(values) returns the longest stable step, s.
+    force: force(p, t, values) returns newtons of shape (n, 3) for the n particles p of this rank, at the
+    time t (s).
+    heat: heat(p, t, values) returns watts of shape (n,).
+    step_limit: step_limit(values) returns the longest stable step, s.
     fields: name -> unit, or (unit, meaning, components, start value). They are arrays of doubles that move
-    with their particles, are in checkpoints, and in frames that list them in output.fields.
-    update(p, t, dt, values) sets them at the end of each step of dt seconds, by p.name[...] = values.
-    Scenes that name an unregistered extension are refused, also at a restart. With `heat`, scenes that name
-    this extension have heat.
+    with their particles. Checkpoints contain them, and so do frames that list them in output.fields.
+    update: update(p, t, dt, values) sets them at the end of each step of dt seconds: p.name[...] = values.
+    about: one line about the extension, for the key table.
+
+    Scenes that name an unregistered extension are refused, also at a restart. An extension with `heat` turns
+    heat on in scenes that name it.
     """
 
     def note(key: str, given: Any) -> tuple[str, str, float, float, float, str]:

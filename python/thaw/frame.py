@@ -38,8 +38,9 @@ class Surface(Points):
 
         cell: edge of the cubes of the mesh's grid, over the mean radius of the surfels. Without it, a mesh
         that `thaw export --as ply` has left in the run's folder export/ is read, else 1 is used.
-        The program thaw makes the mesh; it is that of THAW_PROGRAM, else that on PATH. Raises ProgramError if
-        there is none, or if it fails.
+
+        The program thaw makes the mesh: that of THAW_PROGRAM, else that on PATH. Raises ProgramError if there
+        is none, or if it fails.
         """
         return meshOfFile(self.path, cell)
 

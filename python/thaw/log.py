@@ -47,7 +47,7 @@ def arrayOf(column: str, texts: List[str], path: str) -> np.ndarray:
 
 
 def wholeOf(values: np.ndarray) -> np.ndarray:
-    """int64 where all values are whole, as in arrayOf."""
+    """The values as int64 if all are whole, as in arrayOf; else a copy."""
     whole = (
         np.isfinite(values).all() and (values == np.rint(values)).all() and (np.abs(values) < 2**53).all()
     )

@@ -43,9 +43,9 @@ class Obstacle:
     ) -> None:
         """Sets the motion from now on: a pose and constant rates, until the next call.
 
-        position: m, shape (3,); default: the present one.
+        position: m, shape (3,); default: the current one.
         velocity: m/s, shape (3,).
-        rotation: angles about x, then y, then z, rad; default: the present ones.
+        rotation: angles about x, then y, then z, rad; default: the current ones.
         rotation_rate: rate of these angles, rad/s.
 
         After a restart, call it before the first step: checkpoints do not contain it.
@@ -77,13 +77,13 @@ class Obstacle:
     def force(self) -> np.ndarray:
         """Force of all particles of all ranks on the obstacle at the end of the last step, N, shape (3,).
 
-        Zero before the first step after sim.obstacles[name]. All ranks read it.
+        Zero before the first step after sim.obstacles[name]. Collective: all ranks must read it.
         """
         return np.array(self._open().load()[0])
 
     @property
     def torque(self) -> np.ndarray:
-        """Torque about `position` at the end of the last step, N m, shape (3,). All ranks read it."""
+        """Torque about `position` at the end of the last step, N m, shape (3,). Collective."""
         return np.array(self._open().load()[1])
 
     def __repr__(self) -> str:

@@ -13,14 +13,14 @@ __all__ = ["LocalArray", "Rows"]
 class LocalArray(np.ndarray):
     """An array over the simulation's memory. Results of computations are ordinary arrays.
 
-    After its block any access raises RuntimeError. Arrays that numpy has made of it by other ways, such as
-    np.asarray, then keep the values of the end of the block.
+    After its block any access raises RuntimeError. Plain arrays made of it, as by np.asarray, stay readable
+    and keep the values at the end of the block.
     """
 
     _rows: Optional["Rows"] = None
 
     def __array_finalize__(self, source: Any) -> None:
-        # A view has an array as its base; a copy has none, and is valid for ever.
+        # The base of a view is a LocalArray; a copy has none, and stays valid after the block.
         if isinstance(self.base, LocalArray):
             self._rows = self.base._rows
 
@@ -88,7 +88,7 @@ def _plain(value: Any) -> Any:
 
 
 class Rows:
-    """The rows of one table on this rank, inside of a block `with sim.local() as p`.
+    """The rows of one table on this rank, in a block `with sim.local() as p`.
 
     Fields are arrays over the simulation's own memory, without a copy: `p["temperature"]` or `p.temperature`.
     Outside of the block, access to the rows and to their arrays raises RuntimeError. Values of `velocity` and

@@ -82,9 +82,11 @@ def _errorLine(error: Mapping[str, Any]) -> str:
 class Scene(metaclass=_Completed):
     """A scene: a file, or the keys of one.
 
-    Scene("melt.toml")                       a file; keywords override its keys
-    Scene(spacing="1 cm", end=2, body=[...]) keys as in a scene file: texts with units, or numbers in SI
-    Scene({"spacing": 0.01, ...})            the same as a dict
+        Scene("melt.toml")                        # a file; keywords override its keys
+        Scene(spacing="1 cm", end=2, body=[...])  # keys of a scene file
+        Scene({"spacing": 0.01, ...})             # the same as a dict
+
+    Values are texts with units, or numbers in SI units.
     """
 
     def __init__(self, scene: Union[str, Mapping[str, Any], None] = None, name: str = "scene", **keys: Any):
@@ -151,8 +153,10 @@ class Scene(metaclass=_Completed):
     def check(self, ranks: int = 0) -> SceneReport:
         """Returns the report of `thaw check`, or the errors of the scene. Takes seconds.
 
-        ranks: number of ranks for the estimates of memory and time; 0: one. Keys of registered extensions
-        are known. Under mpirun each rank checks alone. Raises what functions of extensions raise.
+        ranks: number of ranks for the estimates of memory and time; 0: one.
+
+        Keys of registered extensions are accepted. Not collective: each rank checks by itself. Exceptions of
+        extension functions pass on.
         """
         overrides = [f"{key}={self.toml_value(value)}" for key, value in self.overrides.items()]
         if self.keys is None:
@@ -221,7 +225,7 @@ def _place(table: Any, part: str, key: str) -> Any:
             return int(part)
         known = ", ".join(str(n) if n else str(k) for k, n in enumerate(names))
         raise KeyError(f"'{key}': the list has no entry '{part}'; expected a name or number of: {known}")
-    raise KeyError(f"'{key}': '{part}' is asked of {table!r}, which is no table of the scene")
+    raise KeyError(f"'{key}': no key '{part}' in {table!r}, which is no table of the scene")
 
 
 def _key(name: Any) -> str:

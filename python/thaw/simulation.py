@@ -36,9 +36,12 @@ class Simulation:
     scene: a path, a thaw.Scene, or a dict of its keys.
     out: folder for frames, checkpoints and the summary; None: nothing is written.
     comm: an mpi4py communicator; None: all ranks. All ranks of it call all methods in the same order.
-    restart: continue from the checkpoint in `out`, which has to be there; resume: continue if there is one.
+    restart: continue from the checkpoint in `out`, which must exist.
+    resume: continue from the checkpoint in `out` if there is one.
+    force: take over the folder from a run of another host.
     set: overrides of keys, such as {"numerics.cfl_sound": 0.2}.
     log: called with each line of progress and each warning, on the first rank.
+    time_limit: wall-clock time after which the simulation stops, s; None: no limit.
 
     Raises thaw.SceneError (with file, line and what was expected), thaw.FileError, thaw.BlewUp.
     """
@@ -124,8 +127,8 @@ class Simulation:
     def step(self) -> bool:
         """Takes one step. Returns False without a step at the end of the scene or after a stop request.
 
-        Raises what functions of the program have raised in it, on all ranks: the ranks without an exception
-        of their own raise RuntimeError("rank 1: KeyError: ...").
+        Exceptions of functions of the program are raised on all ranks at the end of the step. Ranks without
+        one of their own raise RuntimeError("rank 1: KeyError: ...").
         """
         with self._signals, self._stepping():
             return self._core.step()
@@ -144,11 +147,13 @@ class Simulation:
     def run(self, until: Optional[float] = None, steps: Optional[int] = None, progress: bool = False) -> None:
         """Steps until a time (s), for a number of steps, or to the end of the scene.
 
-        progress: a bar in a terminal or a notebook, on the first rank. Ctrl-C, SIGTERM, SIGUSR1 and SIGUSR2
-        end the run after the current step on all ranks. With a folder they write a checkpoint. They raise
-        KeyboardInterrupt, and the simulation can go on. Exceptions of functions are raised as by step().
-        `until` may lie beyond the end of the scene. Raises ValueError for a time that has passed, and BlewUp
-        where the retries of a step are used up, then and in all later calls until restore().
+        progress: a bar in a terminal or a notebook, on the first rank.
+
+        Ctrl-C, SIGTERM, SIGUSR1 and SIGUSR2 end the run after the current step on all ranks. With a folder
+        they write a checkpoint. They raise KeyboardInterrupt, and the simulation can go on. Exceptions of
+        functions are raised as by step(). `until` may lie beyond the end of the scene. Raises ValueError for
+        a time that has passed. Raises BlewUp where the retries of a step are used up, then and in all later
+        calls until restore().
         """
         if until is not None and not until >= self.time:
             raise ValueError(
@@ -183,12 +188,12 @@ class Simulation:
 
     @property
     def stopped(self) -> bool:
-        """True after a stop request: a stop file, a time limit, request_stop(). resume() takes it back."""
+        """True after a stop request: a stop file, a time limit, request_stop(). resume() clears it."""
         return self._core.stopped
 
     @property
     def stop_reason(self) -> str:
-        """What asked to stop."""
+        """Cause of the stop."""
         return self._core.stop_reason
 
     def request_stop(self) -> None:
@@ -226,7 +231,7 @@ class Simulation:
 
     @property
     def particles(self) -> Rows:
-        """The particles of this rank, inside of a block `with sim.local()`: sim.particles["temperature"]."""
+        """The particles of this rank, in a block `with sim.local()`: sim.particles["temperature"]."""
         if not self._local:
             raise RuntimeError("sim.particles: use it in a block `with sim.local()`, or sim.gather()")
         return self._local[-1]
@@ -235,11 +240,11 @@ class Simulation:
     def local(self, table: str = "particles") -> Iterator[Rows]:
         """The rows of this rank, as arrays without a copy. See Rows.
 
-        All ranks enter the block. Where velocities or temperatures of particles were changed, forces are
-        computed anew at its end, and the ledger records the change as work, impulse and heat from outside.
+        All ranks enter the block. If velocities or temperatures of particles were changed, forces are
+        computed anew at its end. The ledger records the change as work, impulse and heat from outside.
         Raises ValueError on all ranks for values that are not finite and for temperatures below 0 K, and
-        takes the changes back. Raises RuntimeError within a block of the particles. In a block no step, frame
-        and checkpoint is possible.
+        reverts the changes. Raises RuntimeError within a block of the particles. In a block no step, frame
+        or checkpoint is possible.
         """
         changes = table == "particles"
         if changes and self._local:
@@ -267,8 +272,8 @@ class Simulation:
         """Energies (J), mass (kg), momentum (kg m/s), heat (J) and their residuals over all ranks, now.
 
         Names are those of history, where vectors have the keys momentum_x, momentum_y, momentum_z.
-        outside_work is wall_work: work of walls and of the program. entered_... and left_... are what came
-        and went through openings and open sides.
+        outside_work is wall_work: work of walls and of the program. entered_... and left_... are sums over
+        particles that entered through openings and left through open sides.
         """
         return self._core.ledger()
 
@@ -294,8 +299,11 @@ class Simulation:
         """Returns a picture of the current points, which notebooks show. All ranks call it.
 
         field: of particles, for their colours; default: "temperature" with heat, else the speed.
-        size: width and height in pixels. limits: lowest and highest value of the colours. eye, at: points
-        in m that give the direction of the view. `thaw render` draws better pictures of frames.
+        size: width and height in pixels.
+        limits: lowest and highest value of the colours.
+        eye, at: points that give the direction of the view, m.
+
+        `thaw render` draws better pictures of frames.
         """
         points, values = [], []
         for table in ("particles", "oriented", "sheets"):
@@ -337,7 +345,7 @@ class Simulation:
         self._core.write_checkpoint()
 
     def restore(self) -> None:
-        """Goes back to the newest checkpoint in the folder, with all functions that were added."""
+        """Goes back to the newest checkpoint in the folder. Functions that were added stay."""
         self._core.restore()
         self._failure = None
 
@@ -354,8 +362,8 @@ class Simulation:
     def on_step(self, call: Callable[["Simulation"], Any]) -> None:
         """Calls call(sim) after each step.
 
-        run() and step() raise its exceptions on all ranks, after the step, in which other functions are
-        still called.
+        run() and step() raise its exceptions on all ranks at the end of the step. Other functions of the step
+        are still called.
         """
         self._add("on_step", call)
 
@@ -367,7 +375,8 @@ class Simulation:
         """Calls call(p, t) after a phase of each step, with the particles p of this rank.
 
         phase: "predict" (half kick, drift), "redistribute" (emission, migration, sort), "density", "forces",
-        "integrate" (second half kick), "phase_change" (heat, melting) or "end_of_step" (next step known).
+        "integrate" (second half kick), "phase_change" (heat, melting) or "end_of_step" (next dt known).
+
         t is the time of the last complete step, s; after "end_of_step" that of this one. Arrays are
         read-only, except for fields of extensions. Raises ValueError for an unknown phase.
         """
@@ -393,9 +402,9 @@ class Simulation:
     def add_force(self, force: Callable[[Rows, float], Any]) -> None:
         """Adds a force: force(p, t) returns newtons of shape (n, 3) for the n particles p of this rank.
 
-        Called once a step at their positions at time t (s), and now. Raises what the function raises, and
-        then does not add it. Its work and impulse are in the ledger. For the
-        same bits on any number of ranks, a particle's force must follow from its own fields and t alone.
+        It is called now, except after a restart, and once a step at the positions at time t (s). If it
+        raises an exception now, it is not added. Its work and impulse are in the ledger. For the same bits on
+        any number of ranks, a particle's force must follow from its own fields and t alone.
         The automatic sound speed of liquids does not include it: give material.NAME.sound_speed, ten times
         the largest speed of the flow.
         """

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # `thaw export` in all formats, read by three.js, tinyusdz, OpenVDB's Python module, h5py, ParaView and
-# Blender. It names readers that are not installed at its end; without any of them it is skipped. MODULES=DIR:
-# node_modules with the readers of USD.
+# Blender. It lists missing readers at its end, and is skipped if all are missing. MODULES=DIR: node_modules
+# with the readers of USD.
 . "$(dirname "$0")/../support/run.sh"
 MODULES=${MODULES:-$(sed -n 's/^THAW_VIEW_MODULES:PATH=//p' "$build/CMakeCache.txt")}
 skipped=() readers=0

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # The JSON schema of scene files: it is current, accepts every scene of the project, and refuses wrong keys
-# and values. taplo, which editors use, agrees: that of viewer/package-lock.json, which `scripts/view --test`
-# installs, or else the one on PATH. MODULES=DIR: node_modules with @taplo/cli.
+# and values. taplo, which editors use, agrees. It is that of viewer/package-lock.json (`scripts/view --test`
+# installs it), or else the one on PATH. MODULES=DIR: node_modules with @taplo/cli.
 . "$(dirname "$0")/../support/run.sh"
 python=$(command -v /usr/bin/python3 || command -v python3)
 MODULES=${MODULES:-$(sed -n 's/^THAW_VIEW_MODULES:PATH=//p' "$build/CMakeCache.txt")}

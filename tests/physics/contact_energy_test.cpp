@@ -49,8 +49,8 @@ TEST(ContactEnergy, DashpotsAndFrictionAreRecordedToSecondOrder) {
   }
 }
 
-/// A very soft box whose volume is stiff falls on a floor at 1 m/s. A spring by Young's modulus alone is far
-/// too soft: the floor would stop the body as a hard one, whose work on a body so stiff is not known well.
+/// A very soft box with a stiff volume falls on a floor at 1 m/s. A spring by Young's modulus alone is far
+/// too soft. The floor would then act as a hard stop, and the error of its work would be large.
 TEST(ContactEnergy, ASoftBodyOfStiffVolumeRestsOnSpringsThatBearIt) {
   Scene s;
   s.spacing = 0.02;

@@ -85,7 +85,8 @@ export class App {
     const before = this.frames;
     this.frames = frames;
     const repeated = before && before.times.some((time, k) => frames.times[k] !== time);
-    if (repeated) for (const store of [this.store, this.meshes]) store.clear(); // a restart from before
+    // A run that was restarted from an earlier time repeats frames.
+    if (repeated) for (const store of [this.store, this.meshes]) store.clear();
     this.time.setTimes(frames.times);
     if (frames.numbers.length === 0) return;
     if (!this.scene || repeated) await this.loadScene();

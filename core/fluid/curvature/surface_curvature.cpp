@@ -16,8 +16,8 @@
 namespace thaw {
 namespace {
 
-/// Colour gradients over that of a flat surface between which the weight rises from 0 to 1. Disorder inside
-/// the liquid causes up to 0.3.
+/// Bounds of the colour gradient over that of a flat surface, between which the weight rises from 0 to 1.
+/// Disorder inside the liquid gives up to 0.3.
 constexpr double insideGradient = 0.35, surfaceGradientFrom = 0.6;
 
 /// Distances from a wall in spacings: up to the first, the normal is that of the contact angle; from the
@@ -73,8 +73,8 @@ const WallContact* closestWall(const CurvatureContext& x, std::uint32_t row) {
   return closest;
 }
 
-/// Replaces the normal close to a wall by that of the contact angle, n = m cos(theta) + t sin(theta), with
-/// the normal m of the wall and the direction t of the colour gradient along it. A film along the wall keeps
+/// Replaces the normal close to a wall by that of the contact angle, n = m cos(theta) + t sin(theta). m is
+/// the normal of the wall, and t the direction of the colour gradient along it. A film along the wall keeps
 /// its own normal.
 Vec3d normalAtWall(const CurvatureContext& x, std::uint32_t i, const Vec3d& n) {
   const WallContact* c = closestWall(x, i);

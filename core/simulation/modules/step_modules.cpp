@@ -4,7 +4,7 @@
 namespace thaw {
 
 std::vector<StepModule> stepModules() {
-  // Loads from outside come first: implicit viscosity and thermostats answer to all other forces and heat.
+  // Loads from outside come first: implicit viscosity and thermostats depend on all other forces and heat.
   return {outsideLoads(),
           solidContact(),
           sleepOfSolids(),

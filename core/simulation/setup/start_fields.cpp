@@ -93,7 +93,7 @@ Vec3d middleOf(const SignedDistance& shape) {
 
 SampleLattice bodyLattice(const Scene& s, const Body& body, const SignedDistance& shape) {
   const bool solid = solidAtStart(s, body);
-  // The contacts of rigid pieces follow their particles, so faces and edges need them at even depth.
+  // Rigid pieces touch at their particles, so faces and edges need particles at a uniform depth.
   if (solid && s.materials[static_cast<std::size_t>(body.material)].isRigid())
     return turnedLattice(shape, s.spacing);
   return sampleLattice(shape, s.spacing, solid ? Layers::Cover : Layers::Fit);

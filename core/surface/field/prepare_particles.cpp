@@ -11,7 +11,7 @@
 namespace thaw {
 namespace {
 
-/// Factors that make the colour, a sum of (1 - (r/h)^2)^3, 1 inside a lattice of spacing 1.
+/// Factors that normalise the colour, a sum of (1 - (r/h)^2)^3, to 1 inside a lattice of spacing 1.
 struct Lattice {
   double perSum = 0;     ///< inverse sum over the cubic lattice, for sums at positions
   double perOwnSum = 0;  ///< the same for sums at particles

@@ -25,9 +25,9 @@ constexpr double leastTilt = 0.05, steepestTilt = 1.0;
 /// resampling closes holes.
 constexpr double evenEnough = 5;
 /// Bounds of the share of a step. The share grows while a surfel keeps its direction, which damps long waves
-/// sooner, and halves when it overshoots. Where the force is discontinuous, it halves until the surfel stops:
-/// an example is the edge of the sparse region of a component that is drawn in. A lower bound of 0.1 would
-/// let many surfels of a splash oscillate.
+/// sooner, and halves when it overshoots. It halves until the surfel stops where the force is discontinuous,
+/// as at the edge of the sparse region of a component that is drawn in. A lower bound of 0.1 would let many
+/// surfels of a splash oscillate.
 constexpr double mostStepShare = 1.6, leastStepShare = 0.002;
 /// Least liquid share in the stop criterion. blendSurfels keeps only the liquid share of the motion of partly
 /// solid surfels, so that a coarser criterion suffices.

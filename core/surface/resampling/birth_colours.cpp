@@ -39,8 +39,8 @@ struct ColourRange {
   bool one() const { return least >= most; }
 };
 
-/// Finds the nearest surfel of the row's component, and of other components. Surfels count within `reach` (m)
-/// of the row and within `around` (m) of its particle. Also sums the mean colour of the row's component.
+/// Finds the nearest surfel of the row's component, and of other components. Only surfels within `reach` (m)
+/// of the row and `around` (m) of its particle count. Also sums the mean colour of the row's component.
 void findNearest(const Surface& surface, const Bins& bins, const SurfelRow& r, double reach, double around,
                  Nearest& own, Nearest& any, MeanColour& mean) {
   const Surfels& f = surface.surfels;

@@ -13,7 +13,7 @@ namespace thaw {
 
 namespace {
 
-/// Particles take a quarter of the memory of a surfel and its triangles.
+/// Size of a particle over that of a surfel with its triangles.
 constexpr double particleShare = 0.25;
 
 double rowsOf(const FrameGroup& group, unsigned contents) {
@@ -31,7 +31,7 @@ double secondsNow() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// The frame to measure, and the number of frames like it that all take.
+/// The frame to measure, and the cost of the whole export in units of this frame.
 struct Sampling {
   std::size_t frame;
   double frames;

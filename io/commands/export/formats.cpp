@@ -45,7 +45,6 @@ const ExportFormat formats[] = {
     {"pov", ".pov", "a scene of POV-Ray", surfaceContent, true, false, false, false, pov, nullptr},
     {"vtp", ".vtp",
      "points with all fields, and the triangles of sheets, oriented particles and obstacles; with --mesh "
-     "also "
      "of surfaces (ParaView)",
      meshContents, true, true, false, true, vtp, nullptr},
     {"ply", ".ply",
@@ -63,7 +62,7 @@ const ExportFormat formats[] = {
      allContent, false, false, false, true, nullptr, exportVtkHdf},
     {"bgeo", ".bgeo", "Houdini geometry, classic version: points and triangles", allContent, false, false,
      false, true, writeBgeo, nullptr},
-    {"vdb", ".vdb", "OpenVDB: the level set of a surface, and fog volumes of the particles",
+    {"vdb", ".vdb", "OpenVDB: the level set of a surface, fog volumes of the particles, and the particles as points",
      surfaceContent | particleContent, false, false, true, false, writeVdb, nullptr},
     {"html", ".html", "the run as one page for any browser, without a server", allContent, true, true, true,
      false, nullptr, exportRunPage},

@@ -139,7 +139,7 @@ std::string shortDuration(double seconds) {
   return text.size() <= 11 ? text : ">1000 years";
 }
 
-/// Returns the text behind the bar. detail: 0 has the shortest form, 3 all parts.
+/// Returns the text after the bar. detail: 0 (shortest form) to 3 (all parts).
 std::string statusText(const Progress& p, const LedgerReport& l, double share, int detail) {
   const Clock& c = p.clock;
   const bool isLong = detail > 0;

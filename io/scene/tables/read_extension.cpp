@@ -61,7 +61,7 @@ void readLaw(TableReader& r, Material& m) {
           "law", law, words,
           "elastic energy. \"green\": Green strain with Hooke's law, as in Mueller et al. 2004. "
           "\"neo-hookean\", \"corotated\": laws of these names. \"rigid\": connected particles move as "
-          "one rigid body until they melt; poisson, `volume_stiffness`, hourglass and damping are then not "
+          "one rigid body until they melt; `poisson`, `volume_stiffness`, `hourglass` and `damping` are then not "
           "used, and young only with strength");
   if (law < static_cast<int>(builtIn)) {
     m.law = static_cast<ElasticLaw>(law);

@@ -94,8 +94,8 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.byScene().choice("density", n.density, {"summation", "continuity", "plain"},
                      "density of liquids. summation: a sum over positions, consistent with compression. "
                      "continuity: integrated from the divergence of the flow. plain: the plain sum. Default: "
-                     "\"continuity\"; \"summation\" with surface tension, quality = \"preview\", pressure = "
-                     "\"printed\" or the incompressible solver");
+                     "\"continuity\"; \"summation\" with surface tension other than by \"curvature\", `quality = "
+                     "\"preview\"`, `pressure = \"printed\"` or the incompressible solver");
   r.flag("corrected_gradients", n.correctedGradients,
          "gradients of the continuity form are exact for linear fields inside the liquid (Bonet & Lok 1999)");
   r.number("density_diffusion", n.densityDiffusion, "", between(0, 1),
@@ -110,7 +110,8 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.byScene().number("tensile_limit", n.tensileLimit, "", between(0, 1),
                      "fraction of negative pressure that is kept. Above 0 it requires `density = "
                      "\"continuity\"` and shifting "
-                     "above 0. Default: 1 with both, except with surface tension or quality = \"preview\"");
+                     "above 0. Default: 1 with both, except with surface tension other than by "
+                     "\"curvature\", or `quality = \"preview\"`");
   r.choice("pressure_solver", n.solver, {"state equation", "incompressible"},
            "state equation: pressure from the density. incompressible: solved for, so that liquids keep "
            "their volume; the speed of the flow limits the step, not that of sound");

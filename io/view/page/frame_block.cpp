@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::uint64_t verticesPerSurfel = 2;  // most, so that meshes are not much larger than surfels
+constexpr std::uint64_t verticesPerSurfel = 2;  // at most, to limit the size of meshes
 constexpr Accuracy coarse{254, 0};              // as many steps as a colour map has colours
 
 template<class T> std::vector<T> numbersOf(const PacketArray& array) {

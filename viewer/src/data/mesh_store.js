@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes of surfaces. They take the server some time, so one is requested at a time, the newest wish first.
+// Meshes of surfaces. The server needs time for each. One is requested at a time, the newest query first.
 import { getPacket } from './api.js';
 import { FrameStore } from './frame_store.js';
 import { Problem } from './problem.js';
 
-const MOST_WAITING = 4; // older wishes are dropped
+const MOST_WAITING = 4; // older queries are dropped
 
 export class MeshStore extends FrameStore {
   constructor() {
