@@ -13,8 +13,8 @@ namespace thaw {
 /// - temperature (K), liquid (1): means over the particles near each voxel of the fog volume
 /// - velocity (m/s): the same, for motion blur
 /// - points: the particles themselves, with the attributes P, v (m/s), temperature (K), liquid, id, and
-/// pscale
-///   (radius, m) if radii differ
+///   pscale (radius, m) if radii differ
+///
 /// Throws IoError if the file cannot be written; std::invalid_argument if the program is built without
 /// OpenVDB.
 void writeVdb(const std::filesystem::path& file, const ExportScene& scene);

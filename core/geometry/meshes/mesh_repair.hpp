@@ -25,18 +25,21 @@ struct MeshReport {
   bool closed = true;  ///< false: too many open edges, nothing was closed; an unconnected set of triangles
 };
 
-/// Returns a closed, outward surface:
+/// Returns a closed, outward surface, in five steps:
+///
 /// 1. Equal vertices are merged; if edges stay open, also vertices within 1e-6 of the mesh's diagonal.
-/// Duplicate triangles and triangles with two equal corners are removed.
+///    Duplicate triangles and triangles with two equal corners are removed.
 /// 2. A patch is a set of triangles joined by edges that exactly two of them share. Its triangles are flipped
-/// to agree with the larger part of its area. 3. The border is followed around each hole, which is closed by
-/// triangles to the middle of its vertices. Every edge is then balanced, and winding numbers are integers off
-/// the surface. 4. A shell (triangles joined by any edges) with negative volume is inverted and is flipped,
-/// unless it lies within another shell. The outermost shell decides for all shells within it, so hollows stay
-/// hollow. 5. File normals are validated (file_normals.hpp). If more than 30 % of the edges are open, steps 3
-/// and 4 are skipped. The total volume then decides the direction, and inside is where the generalised
-/// winding number exceeds 1/2. Throws ShapeError: no triangles, an index out of range, a coordinate that is
-/// not finite, no volume enclosed.
+///    to agree with the larger part of its area.
+/// 3. The border is followed around each hole, which is closed by triangles to the middle of its vertices.
+///    Every edge is then balanced, and winding numbers are integers off the surface.
+/// 4. A shell (triangles joined by any edges) with negative volume is flipped, unless it lies within another
+///    shell. The outermost shell decides for all shells within it, so hollows stay hollow.
+/// 5. File normals are validated (file_normals.hpp).
+///
+/// If more than 30 % of the edges are open, steps 3 and 4 are skipped. The total volume then decides the
+/// direction, and inside is where the generalised winding number exceeds 1/2. Throws ShapeError: no
+/// triangles, an index out of range, a coordinate that is not finite, no volume enclosed.
 TriangleMesh repairMesh(const TriangleMesh& mesh, MeshReport& report);
 
 /// Returns a surface that need not be closed. A mesh without open edges is repaired as by repairMesh. Any

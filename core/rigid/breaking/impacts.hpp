@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Impacts of rigid pieces, and their forces. A contact impulse J of an impact acts for the time 2 L / c. In
-// this time a pressure wave of speed c = sqrt(E / rho) crosses a piece of length L and returns. The force J c
-// / (2 L) is exact for rods that meet end to end.
+// this time a pressure wave of speed c = sqrt(E / rho) crosses a piece of length L and returns. The force
+// J c / (2 L) is exact for rods that meet end to end.
 #pragma once
 #include <cstdint>
 #include <span>

@@ -10,8 +10,8 @@ namespace thaw {
 
 /// Sets SheetPlan::particleRate. The contact spring is sized for a light vertex; a heavier particle would
 /// pass through. A barrier (TouchLaw) beside the spring stops it within the contact distance at the scene's
-/// speeds. For a liquid it is at least as stiff as the liquid, so pressure does not push particles through: m
-/// (c/s)^2 for spacing s and sound speed c.
+/// speeds. For a liquid it is at least as stiff as the liquid, so pressure does not push particles through:
+/// m (c/s)^2 for spacing s and sound speed c.
 void planParticleContact(const Scene& scene, std::span<const LiquidMaterial> liquids,
                          std::vector<SheetPlan>& plans);
 

@@ -165,8 +165,8 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   if (n.shifting == 0)
     errors.push_back({placeOf(x, {"tensile_limit", "shifting"}),
                       "`numerics.tensile_limit` above 0 needs `numerics.shifting` above 0 (0.2 is "
-                      "recommended, with `density = "
-                      "\"continuity\"): without shifting, negative pressure makes particles form clusters"});
+                      "recommended, with `density = \"continuity\"`): without shifting, negative pressure "
+                      "makes particles form clusters"});
   else if (n.density != DensityForm::Continuity)
     errors.push_back({placeOf(x, {"tensile_limit", "density"}),
                       "`numerics.tensile_limit` above 0 needs `numerics.density = \"continuity\"`: a summed "

@@ -57,12 +57,12 @@ void readLaw(TableReader& r, Material& m) {
       if (words[k] == m.extensionLaw.name) law = static_cast<int>(k);
   // Pieces are part of the state, so a run cannot change to or from them.
   r.as(m.isRigid() ? Restart::State : Restart::Coefficient)
-      .choice(
-          "law", law, words,
-          "elastic energy. \"green\": Green strain with Hooke's law, as in Mueller et al. 2004. "
-          "\"neo-hookean\", \"corotated\": laws of these names. \"rigid\": connected particles move as "
-          "one rigid body until they melt; `poisson`, `volume_stiffness`, `hourglass` and `damping` are then not "
-          "used, and young only with strength");
+      .choice("law", law, words,
+              "elastic energy. \"green\": Green strain with Hooke's law, as in Mueller et al. 2004. "
+              "\"neo-hookean\", \"corotated\": laws of these names. \"rigid\": connected particles move as "
+              "one rigid body until they melt; `poisson`, `volume_stiffness`, `hourglass` and `damping` are "
+              "then not "
+              "used, and young only with strength");
   if (law < static_cast<int>(builtIn)) {
     m.law = static_cast<ElasticLaw>(law);
     return;

@@ -91,11 +91,12 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.choice("pressure", n.pressure, {"consistent", "printed"},
            "consistent: pair form that conserves energy. printed: the sum in Keiser et al. 2005, which has "
            "half the gradient");
-  r.byScene().choice("density", n.density, {"summation", "continuity", "plain"},
-                     "density of liquids. summation: a sum over positions, consistent with compression. "
-                     "continuity: integrated from the divergence of the flow. plain: the plain sum. Default: "
-                     "\"continuity\"; \"summation\" with surface tension other than by \"curvature\", `quality = "
-                     "\"preview\"`, `pressure = \"printed\"` or the incompressible solver");
+  r.byScene().choice(
+      "density", n.density, {"summation", "continuity", "plain"},
+      "density of liquids. summation: a sum over positions, consistent with compression. "
+      "continuity: integrated from the divergence of the flow. plain: the plain sum. Default: "
+      "\"continuity\"; \"summation\" with surface tension other than by \"curvature\", `quality = "
+      "\"preview\"`, `pressure = \"printed\"` or the incompressible solver");
   r.flag("corrected_gradients", n.correctedGradients,
          "gradients of the continuity form are exact for linear fields inside the liquid (Bonet & Lok 1999)");
   r.number("density_diffusion", n.densityDiffusion, "", between(0, 1),
