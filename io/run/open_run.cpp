@@ -61,6 +61,7 @@ const char* adviceForThinLiquid(const World& w) {
   if (w.modules.solid) return "choose a smaller spacing";
   if (w.modules.incompressible)
     return "leave out `numerics.pressure_solver`: this solver has no tension in liquid";
+  if (w.modules.tension && !w.modules.continuity) return "set `numerics.tension = \"curvature\"`";
   if (!w.modules.continuity || n.tensileLimit < 1 || n.shifting == 0)
     return "set `numerics.density = \"continuity\"`, `numerics.tensile_limit = 1` and `numerics.shifting = "
            "0.2`";
