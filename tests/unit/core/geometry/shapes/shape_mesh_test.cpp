@@ -5,7 +5,8 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
+
+#include "core/geometry/basic/shape_error.hpp"
 
 namespace thaw {
 namespace {
@@ -83,7 +84,7 @@ TEST(ShapeMesh, ReversesSubtractedShapesAndKeepsNestedPlaces) {
   EXPECT_LT(seen.min.x, 8);
   EXPECT_GT(seen.max.x, 12);
   EXPECT_NEAR(seen.max.z, 0, 1e-12);
-  EXPECT_THROW(shapeMesh(plane, 1e-3, {}), std::invalid_argument);
+  EXPECT_THROW(shapeMesh(plane, 1e-3, {}), ShapeError);
 }
 
 }  // namespace
