@@ -157,7 +157,8 @@ class Maker:
     def run(self, out: str, text: str, *options: str, name: str = 'drops', ranks: int = 1) -> str:
         path = self.folder / out
         line = command(self.scene(name, text), path, *options, ranks=ranks)
-        done = subprocess.run(line, capture_output=True, text=True)
+        # A copy, since MPI in this process adds variables that keep mpirun from starting.
+        done = subprocess.run(line, capture_output=True, text=True, env=dict(os.environ))
         assert done.returncode == 0, done.stdout + done.stderr
         return str(path)
 

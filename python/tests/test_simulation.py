@@ -351,9 +351,29 @@ def test_errors_of_forces_are_raised():
     with expected(ZeroDivisionError, 'late'):
         sim.run(steps=9)
     sim.run(steps=3)
-    with pytest.raises(ValueError, match='broadcast'):
+    with pytest.raises(ValueError, match='expected'):
         sim.add_force(lambda p, t: np.zeros((len(p) + 1, 3)))
     assert sim.step()
+
+
+def test_loads_that_are_not_finite_are_refused():
+    sim = thaw.Simulation(drop())
+    with pytest.raises((ValueError, RuntimeError), match='not finite'):
+        sim.add_force(lambda p, t: np.full((len(p), 3), np.nan))
+    with pytest.raises((ValueError, RuntimeError), match='expected an array of numbers'):
+        sim.add_force(lambda p, t: None)
+    sim.run(steps=2)
+    assert np.isfinite(sim.ledger['kinetic'])
+
+
+def test_a_simulation_that_blew_up_takes_no_further_step():
+    sim = thaw.Simulation(drop())
+    sim.add_force(lambda p, t: np.full((len(p), 3), 1e30))
+    with pytest.raises(thaw.BlewUp):
+        sim.run(until=1)
+    for go in (sim.step, sim.run):
+        with pytest.raises(thaw.BlewUp):
+            go()
 
 
 @pytest.mark.skipif(RANKS > 1, reason='mpirun ends all ranks')

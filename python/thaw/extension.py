@@ -30,11 +30,13 @@ def checkedLoad(values: Any, wanted: tuple[int, ...], name: str) -> np.ndarray:
     Raises ValueError for another shape and for values that are not finite, with the first such row.
     """
     try:
-        load = np.asarray(values, dtype=float)
+        load = np.asarray([] if values is None else values, dtype=float)
     except (TypeError, ValueError):
+        load = np.asarray([])
+    if load.size == 0 and np.prod(wanted) > 0:
         raise ValueError(
             f"{name} returned {type(values).__name__}: expected an array of numbers of shape {wanted}"
-        ) from None
+        )
     if load.ndim > len(wanted) or any(a not in (1, b) for a, b in zip(load.shape[::-1], wanted[::-1])):
         raise ValueError(f"{name} returned an array of shape {load.shape}: expected {wanted}")
     if not np.isfinite(load).all():
