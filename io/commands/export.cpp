@@ -66,8 +66,7 @@ void addExportOptions(CLI::App& command, ExportOptions& o) {
   command.add_flag("--uv", o.uv,
                    "texture coordinates of a surface, from the meshes of its bodies (ply, obj, vtp, usd, "
                    "vtkhdf, bgeo)");
-  command.add_flag("--mesh", o.mesh,
-                   "vtp: closed meshes of a surface instead of its surfels");
+  command.add_flag("--mesh", o.mesh, "vtp: closed meshes of a surface instead of its surfels");
   command.add_flag("--resume", o.resume,
                    "skip files that are complete: they exist and are newer than their frames");
   command
