@@ -31,16 +31,10 @@ void addBuoyancy(const Scene& s, Continuum& p) {
 }
 
 void recordBuoyantKick(const Continuum& p, HalfKick kick, const Domain& d, double dt, Ledger& ledger) {
-  const double half = 0.5 * dt;
   const Vec3d g = gravityOf(d);
-  for (std::size_t i = 0; i < p.owned; i++) {
-    if (p.buoyancy[i] == 0) continue;
-    const Vec3d f = buoyantForce(p, i, g);
-    const Vec3d a = kick == HalfKick::First ? p.acceleration[i] : p.force[i] * (1 / p.mass[i]) + d.gravity;
-    ledger.wallWork.add(dot(f, p.velocity[i] + a * (0.5 * half)) * half);  // at the mean velocity of the kick
-    for (int axis = 0; axis < 3; axis++)
-      if (g[axis] != 0) ledger.wallImpulse[axis].add(f[axis] * half);
-  }
+  const KickOfForce force{kick, d.gravity, dt};
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (p.buoyancy[i] != 0) force.record(p, i, buoyantForce(p, i, g), ledger);
 }
 
 }  // namespace thaw

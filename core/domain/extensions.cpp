@@ -39,7 +39,7 @@ bool isName(const std::string& s) {
 }
 
 constexpr const char* newbornName = "newborn";             // the field of declareNewborn
-constexpr const char* tensionForceName = "tension_force";  // that of declareTensionForce
+constexpr const char* tensionForceName = "tension_force";  // the field of declareTensionForce
 
 /// Names that fields cannot have besides those of the model: computed fields of frames.
 constexpr const char* computedFields[] = {newbornName, tensionForceName, "density", "pressure",

@@ -29,15 +29,17 @@ void addOutsideLoads(const std::vector<OutsideSource>& sources, Continuum& p, Le
   }
 }
 
-void recordOutsideKick(const Continuum& p, HalfKick kick, const Vec3d& gravity, double dt, Ledger& ledger) {
+void KickOfForce::record(const Continuum& p, std::size_t i, const Vec3d& f, Ledger& ledger) const {
   const double half = 0.5 * dt;
-  for (std::size_t i = 0; i < p.owned; i++) {
-    const Vec3d& f = p.outsideForce[i];
-    if (f.x == 0 && f.y == 0 && f.z == 0) continue;
-    const Vec3d a = kick == HalfKick::First ? p.acceleration[i] : p.force[i] * (1 / p.mass[i]) + gravity;
-    ledger.wallWork.add(dot(f, p.velocity[i] + a * (0.5 * half)) * half);  // at the mean velocity of the kick
-    for (int axis = 0; axis < 3; axis++) ledger.wallImpulse[axis].add(f[axis] * half);
-  }
+  const Vec3d a = kick == HalfKick::First ? p.acceleration[i] : p.force[i] * (1 / p.mass[i]) + gravity;
+  ledger.wallWork.add(dot(f, p.velocity[i] + a * (0.5 * half)) * half);
+  for (int axis = 0; axis < 3; axis++) ledger.wallImpulse[axis].add(f[axis] * half);
+}
+
+void recordOutsideKick(const Continuum& p, HalfKick kick, const Vec3d& gravity, double dt, Ledger& ledger) {
+  const KickOfForce force{kick, gravity, dt};
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (!(p.outsideForce[i] == Vec3d{})) force.record(p, i, p.outsideForce[i], ledger);
 }
 
 }  // namespace thaw

@@ -33,6 +33,15 @@ void addOutsideLoads(const std::vector<OutsideSource>& sources, Continuum& parti
 /// The half kick that follows: with the accelerations of the last step, or with the forces of this one.
 enum class HalfKick { First, Second };
 
+/// Records work and impulse of a force (N) on a row in the half kick, at the mean velocity of the kick. Call
+/// it before the kick. gravity: m/s^2; dt: s, the length of the whole step.
+struct KickOfForce {
+  HalfKick kick;
+  Vec3d gravity;
+  double dt;
+  void record(const Continuum& particles, std::size_t row, const Vec3d& force, Ledger& ledger) const;
+};
+
 /// Records work and impulse of Continuum::outsideForce in a half kick over dt / 2 (s). Called before it.
 /// gravity: m/s^2.
 void recordOutsideKick(const Continuum& particles, HalfKick kick, const Vec3d& gravity, double dt,

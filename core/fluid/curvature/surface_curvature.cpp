@@ -112,6 +112,11 @@ void startNormals(const CurvatureContext& x) {
 
 }  // namespace
 
+double tensionAt(const WallView& w, std::uint32_t i) {
+  const Material& m = w.scene.materials[w.particles.material[i]];
+  return m.surfaceTensionTable.empty() ? m.surfaceTension : surfaceTensionAt(m, w.particles.temperature[i]);
+}
+
 double flatColourGradient(const Numerics& numerics) {
   const double e = 1 / numerics.support;
   const int n = static_cast<int>(numerics.support) + 1;
@@ -177,13 +182,8 @@ struct TangentFit {
   }
 };
 
-double tensionAt(const WallView& w, std::uint32_t i) {
-  const Material& m = w.scene.materials[w.particles.material[i]];
-  return m.surfaceTensionTable.empty() ? m.surfaceTension : surfaceTensionAt(m, w.particles.temperature[i]);
-}
-
 /// Returns the element of a particle, with the curvature before smoothing.
-SurfaceElement elementOf(const CurvatureContext& x, std::uint32_t i, std::size_t g, std::size_t l) {
+FreeSurfaceElement elementOf(const CurvatureContext& x, std::uint32_t i, std::size_t g, std::size_t l) {
   const WallView& w = x.world;
   const Continuum& p = w.particles;
   const double h = w.grid.support, own = weightOf(p, i);
@@ -203,7 +203,7 @@ SurfaceElement elementOf(const CurvatureContext& x, std::uint32_t i, std::size_t
             same ? tensionAt(w, j) - tension : 0);
     if (wall) fit.addImage(weightOf(p, j), image(d));
   });
-  SurfaceElement e;
+  FreeSurfaceElement e;
   e.area = own * std::numbers::pi * h * h / (3 * fit.number);  // kernel 3 / (pi h^2) (1 - q^2)^2
   e.normal = normal;
   if (!fit.solvable()) return e;
@@ -218,10 +218,10 @@ SurfaceElement elementOf(const CurvatureContext& x, std::uint32_t i, std::size_t
 
 }  // namespace
 
-std::vector<SurfaceElement> findSurfaceElements(const CurvatureContext& x) {
+std::vector<FreeSurfaceElement> findFreeSurface(const CurvatureContext& x) {
   Continuum& p = x.world.particles;
   findSurfaceNormals(x);
-  std::vector<SurfaceElement> elements(p.owned);
+  std::vector<FreeSurfaceElement> elements(p.owned);
   eachAtSurface(x, [&](std::uint32_t i, std::size_t g, std::size_t l) {
     elements[i] = elementOf(x, i, g, l);
     p.surfaceColour[i] = elements[i].curvature;

@@ -5,7 +5,7 @@
 // surface are least-squares fits in the tangent plane over these neighbours, exact for linear fields also at
 // the edge of a surface. Close to walls, the normal is that of the contact angle (BPKH13, HKEW16).
 #pragma once
-#include <span>
+#include <vector>
 
 #include "core/halo/halo.hpp"
 #include "core/neighbours/neighbour_lists.hpp"
@@ -20,11 +20,14 @@ struct CurvatureContext {
   CellHalo& halo;
 };
 
+/// Returns the surface tension (N/m) of the liquid of a row, an owned one or a ghost.
+double tensionAt(const WallView& world, std::uint32_t row);
+
 /// Size of the colour gradient (h grad C) in the outermost layer of a flat lattice.
 double flatColourGradient(const Numerics& numerics);
 
 /// A particle's part of the free surface.
-struct SurfaceElement {
+struct FreeSurfaceElement {
   double area = 0;          ///< m^2; 0: not at the surface
   double curvature = 0;     ///< 1/m, positive for a ball, at half a spacing outside of the particle's centre
   Vec3d normal{};           ///< unit vector out of the liquid
@@ -34,6 +37,6 @@ struct SurfaceElement {
 /// Returns the surface elements of owned rows. Collective.
 /// Requires: surfaceGradient of owned rows without walls, temperatures of ghosts.
 /// Ensures: surfaceGradient is the normal times the weight of a particle in sums over the surface; 0 inside.
-std::vector<SurfaceElement> findSurfaceElements(const CurvatureContext& context);
+std::vector<FreeSurfaceElement> findFreeSurface(const CurvatureContext& context);
 
 }  // namespace thaw
