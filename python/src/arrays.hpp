@@ -31,7 +31,7 @@ class ColumnArrays {
   ColumnArrays& operator=(const ColumnArrays&) = delete;
   /// Returns an array of the first `rows` rows of a column, with the shape (rows,) or (rows, components).
   pybind11::array of(AnyColumn& column, std::size_t rows, bool writable);
-  /// Separates all arrays. Requires: nobody else holds pointers to the columns' memory.
+  /// Separates all arrays. Requires: no other pointers to the columns' memory are in use.
   void release();
   /// Gives the memory of all arrays away, before the columns end.
   void releaseFromEnd();

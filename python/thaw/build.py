@@ -104,7 +104,10 @@ class Emitter(Table):
 
 
 class ObstacleBody(Table):
-    table, about = "obstacle", "A rigid object that particles cannot enter: of Scene(obstacle=[...])."
+    table, about = (
+        "obstacle",
+        "A rigid object that particles cannot enter: an element of Scene(obstacle=[...]).",
+    )
 
 
 class OrientedBody(Table):
@@ -130,7 +133,7 @@ class Laser(Table):
 class HeatedRegion(Table):
     table, about = (
         "heated_region",
-        "Power that the particles in a shape receive: of Scene(heated_region=[...]).",
+        "Power that the particles in a shape receive: an element of Scene(heated_region=[...]).",
     )
 
 
