@@ -139,6 +139,11 @@ void lookAtCells(const SleepView& w) {
   lookAround(w.cells, s.cell, s.around);
 }
 
+void markSteady(const SleepView& w, std::size_t c) {
+  std::fill_n(w.sleep.steady.begin() + static_cast<std::ptrdiff_t>(w.cells.first[c]), w.cells.count[c],
+              std::uint8_t{1});
+}
+
 }  // namespace
 
 std::array<std::int64_t, awakeReasons> countAwake(const Continuum& p, const Scene& scene) {
@@ -161,6 +166,9 @@ void markSleepingInner(const SleepView& w) {
   lookAtCells(w);
   const std::size_t n = w.cells.key.size();
   bool any = false;
+  s.steady.assign(p.owned, 0);
+  for (std::size_t c = 0; c < n; c++)
+    if (w.inner[c] == 1 && isSteady(s.around[c])) markSteady(w, c);
   s.known.assign(n, 0);
   for (std::size_t c = 0; c < n; c++) {
     if (s.recomputeAll || w.inner[c] != 1 || !isSteady(s.around[c])) continue;
@@ -193,7 +201,7 @@ void markSleeping(const SleepView& w) {
     else addRows(s.rows, first, count);
     if (!steady) continue;
     s.steadyCells.push_back(w.cells.key[c]);
-    std::fill_n(s.steady.begin() + static_cast<std::ptrdiff_t>(first), count, std::uint8_t{1});
+    markSteady(w, c);
     std::fill_n(s.skipped.begin() + static_cast<std::ptrdiff_t>(first), count,
                 static_cast<std::uint8_t>(skip));
   }

@@ -53,7 +53,8 @@ struct SleepWork {
                                                          ///< in the last
   std::array<ExactSum, 3> steadyConstraintForce;  ///< N, sum of Continuum::constraintForce over the rows of
                                                   ///< steadyBefore
-  std::vector<std::uint8_t> steady;   ///< by owned row: 1 if it sleeps and nothing in its sums changes
+  std::vector<std::uint8_t> steady;   ///< by owned row: 1 if it sleeps and nothing in its sums changes; rows
+                                      ///< of inner cells only, until markSleeping
   std::vector<std::uint8_t> skipped;  ///< by owned row: 1 if steady and already computed on this rank
   std::vector<double> interaction;    ///< J, by owned row, from the last step
   std::vector<std::uint8_t> fresh;    ///< by slot: 1 if deformation and flux match the sleeping position

@@ -118,4 +118,42 @@ residual=$(awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) if ($k ~ /^momentum_resi
   { for (k in of) { a = $k < 0 ? -$k : $k; if (a > most) most = a } }
   END { print most + 0 }' "$work/$scene.1/progress.csv")
 awk -v r="$residual" 'BEGIN { exit !(r < 1e-9) }' || fail "momentum residual of $residual kg m/s"
+# Rows of a sleeping block change places while a liquid flows far from it.
+scene=beside
+cat >"$work/beside.toml" <<'SCENE'
+spacing = 0.1
+end = 0.8
+[domain]
+min = [-1, -1, -0.5]
+max = [6, 1, 3]
+[material.rubber]
+density = 1000
+young = 3e5
+damping = 600
+restitution = 0.2
+[material.water]
+density = 1000
+phase = "liquid"
+viscosity = 1
+[[body]]
+name = "asleep"
+material = "rubber"
+box = { size = [0.8, 0.8, 0.8] }
+place = { move = [0, 0, 0.45] }
+[[body]]
+name = "flowing"
+material = "water"
+box = { size = [0.8, 1, 0.8] }
+place = { move = [4.5, 0, 0.45] }
+[[obstacle]]
+name = "floor"
+plane = { }
+[numerics]
+sleep_speed = 0.05
+sleep_after = 0.02
+[output]
+every = 0.2
+SCENE
+sameOnAllRanks $scene 1000000 "200 400" "$work/beside.toml"
+expectSleepers
 finish
