@@ -135,6 +135,8 @@ PYBIND11_MODULE(_core, m) {
       py::arg("update"), py::arg("step_limit"), py::arg("heats"));
   m.def("check", &checkOf, py::arg("path"), py::arg("overrides"), py::arg("ranks"),
         "The report of `thaw check --json` on a file, as JSON.");
+  m.def(
+      "abort", [] { MPI_Abort(MPI_COMM_WORLD, 1); }, "Ends all ranks at once.");
   m.def("documentation", &sceneDocumentation, "The key table of scene files, as Markdown.");
   m.def("schema", &sceneSchema, "The JSON schema of scene files.");
   m.def("example", &exampleScene, "A small complete scene, as TOML.");

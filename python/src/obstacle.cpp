@@ -22,15 +22,21 @@ using Three = std::array<double, 3>;
 Vec3d vectorOf(const Three& v) { return {v[0], v[1], v[2]}; }
 Three threeOf(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
+/// An obstacle and its simulation, which outlives it.
+struct ObstacleOfProgram {
+  PythonSimulation& sim;
+  DrivenObstacle obstacle;
+};
+
 /// Force, then torque. Collective.
-std::pair<Three, Three> loadOf(const DrivenObstacle& obstacle) {
-  const ObstacleLoad load = obstacle.load();
+std::pair<Three, Three> loadOf(const ObstacleOfProgram& o) {
+  const ObstacleLoad load = o.sim.loadOf(o.obstacle);
   return {threeOf(load.force), threeOf(load.torque)};
 }
 
-void move(DrivenObstacle& obstacle, const Three& position, const Three& velocity, const Three& rotation,
+void move(ObstacleOfProgram& o, const Three& position, const Three& velocity, const Three& rotation,
           const Three& rotationRate) {
-  obstacle.move({vectorOf(position), vectorOf(velocity), vectorOf(rotation), vectorOf(rotationRate)});
+  o.obstacle.move({vectorOf(position), vectorOf(velocity), vectorOf(rotation), vectorOf(rotationRate)});
 }
 
 /// Names of the obstacles of the scene.
@@ -44,17 +50,21 @@ std::vector<std::string> obstacleNames(PythonSimulation& sim) {
 
 void defineObstacle(py::module_& m) {
   m.def("obstacle_names", &obstacleNames);
-  py::class_<DrivenObstacle>(m, "Obstacle")
+  py::class_<ObstacleOfProgram>(m, "Obstacle")
       .def(py::init([](PythonSimulation& sim, const std::string& name) {
-             return std::make_unique<DrivenObstacle>(sim.simulation(), name);
+             return std::unique_ptr<ObstacleOfProgram>(
+                 new ObstacleOfProgram{sim, DrivenObstacle(sim.simulation(), name)});
            }),
            py::keep_alive<1, 2>())
       .def("move", &move, py::arg("position"), py::arg("velocity"), py::arg("rotation"),
            py::arg("rotation_rate"))
-      .def_property_readonly("position", [](const DrivenObstacle& o) { return threeOf(o.pose().move); })
-      .def_property_readonly("rotation", [](const DrivenObstacle& o) { return threeOf(o.pose().rotate); })
-      .def_property_readonly("velocity", [](const DrivenObstacle& o) { return threeOf(o.pose().velocity); })
-      .def("load", &loadOf, py::call_guard<py::gil_scoped_release>());
+      .def_property_readonly("position",
+                             [](const ObstacleOfProgram& o) { return threeOf(o.obstacle.pose().move); })
+      .def_property_readonly("rotation",
+                             [](const ObstacleOfProgram& o) { return threeOf(o.obstacle.pose().rotate); })
+      .def_property_readonly("velocity",
+                             [](const ObstacleOfProgram& o) { return threeOf(o.obstacle.pose().velocity); })
+      .def("load", &loadOf);
 }
 
 }  // namespace thaw::python

@@ -35,18 +35,23 @@ ProgramCalls& currentCalls() {
 CallScope::CallScope(ProgramCalls& calls) : before_(std::exchange(current, &calls)) {}
 CallScope::~CallScope() { current = before_; }
 
-SharedFailure shareFailure(const ProgramCalls& calls, MPI_Comm comm) {
+SharedFailure shareFailure(ProgramCalls& calls, MPI_Comm comm) {
   SharedFailure f;
-  int rank = 0;
+  int rank = 0, ranks = 0;
   MPI_Comm_rank(comm, &rank);
-  int first = calls.failed ? rank : INT_MAX;
+  MPI_Comm_size(comm, &ranks);
+  int first = !calls.failed ? INT_MAX : calls.failedAfterOthers ? ranks + rank : rank;
   MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, comm);
   if (first == INT_MAX) return f;
+  const bool hasCause = first < ranks;
+  first %= ranks;
   f.rank = first;
-  if (rank == first) {
+  if (calls.failed && (rank == first || (hasCause && calls.failedAfterOthers))) {
     const py::gil_scoped_acquire python;
-    f.interrupt = calls.failed->matches(PyExc_KeyboardInterrupt);
-    f.text = textOf(*calls.failed);
+    if (rank == first) {
+      f.interrupt = calls.failed->matches(PyExc_KeyboardInterrupt);
+      f.text = textOf(*calls.failed);
+    } else calls.failed.reset();
   }
   int head[] = {f.interrupt ? 1 : 0, static_cast<int>(f.text.size())};
   MPI_Bcast(head, 2, MPI_INT, first, comm);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "python/src/arrays.hpp"
+#include "python/src/meeting.hpp"
 
 namespace thaw::python {
 
@@ -21,6 +22,8 @@ Function keepFunction(const pybind11::object& function);
 /// are made nevertheless: they may be collective.
 struct ProgramCalls {
   std::optional<pybind11::error_already_set> failed;
+  bool failedAfterOthers = false;  ///< `failed` is DifferentCalls, perhaps after an exception of another rank
+  Meeting meeting;
   ColumnArrays arrays;
   int depth = 0;  ///< above 0 within a phase of a step, where rows are in use
 };
@@ -46,6 +49,7 @@ template<class Call> void guarded(const Call& call) {
   const pybind11::gil_scoped_acquire python;
   ProgramCalls& calls = currentCalls();
   std::optional<pybind11::error_already_set> error;
+  calls.meeting.unmet = false;
   try {
     call();
   } catch (pybind11::error_already_set& e) {
@@ -57,7 +61,9 @@ template<class Call> void guarded(const Call& call) {
     PyErr_SetString(PyExc_RuntimeError, e.what());
     error.emplace();
   }
-  if (error && !calls.failed) calls.failed = std::move(error);
+  if (!error || calls.failed) return;
+  calls.failed = std::move(error);
+  calls.failedAfterOthers = calls.meeting.unmet;
 }
 
 /// An exception of one rank, as all ranks know it.
@@ -68,8 +74,9 @@ struct SharedFailure {
   explicit operator bool() const { return rank >= 0; }
 };
 
-/// Returns the failure of the first rank that has one. Called without the interpreter's lock. Collective.
-SharedFailure shareFailure(const ProgramCalls& calls, MPI_Comm comm);
+/// Returns the failure of the first rank that has one, those of DifferentCalls last. Called without the
+/// interpreter's lock. Collective.
+SharedFailure shareFailure(ProgramCalls& calls, MPI_Comm comm);
 
 /// Throws this rank's own exception, or one that names the rank that has failed.
 [[noreturn]] void throwFailure(ProgramCalls& calls, const SharedFailure& failure);

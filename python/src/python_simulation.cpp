@@ -59,6 +59,10 @@ std::vector<std::byte> allRows(MPI_Comm comm, const std::byte* mine, std::size_t
   return all;
 }
 
+/// Kinds of functions of the program; those of extensions and loads have no list.
+enum FunctionKind : std::size_t { afterStep, afterFrame, atEnd, duringStep, afterPhase };
+constexpr std::size_t kinds = afterPhase + hookPhaseNames.size();
+
 }  // namespace
 
 /// Marks the simulation as in use by this thread, and makes its calls the current ones.
@@ -77,13 +81,14 @@ class PythonSimulation::Busy {
   CallScope scope_;
 };
 
-template<class Work> auto PythonSimulation::together(const Work& work) {
+template<class Work> auto PythonSimulation::together(const std::string& what, const Work& work) {
   refuseOtherThread();
   const Busy busy(*this);
   SharedFailure failure;
   std::optional<decltype(work(failure))> result;
   {
     const py::gil_scoped_release others;
+    meet(calls_->meeting, what);
     result = work(failure);
   }
   if (failure) endRun(failure);
@@ -92,9 +97,36 @@ template<class Work> auto PythonSimulation::together(const Work& work) {
 
 PythonSimulation::PythonSimulation(const std::string& text, const Options& options, const py::object& log,
                                    std::optional<int> comm)
-    : sim_(make(text, runOptions(options, log), comm, *calls_)), hasCalls_(!sim_.scene().extensions.empty()) {
-  together(
-      [&](SharedFailure& failure) { return failure = shareFailure(*calls_, sim_.communicator()), true; });
+    : sim_(make(text, runOptions(options, log), comm, *calls_)) {
+  calls_->meeting.comm = sim_.communicator();
+  if (!sim_.scene().extensions.empty()) calls_->meeting.here |= 1u << duringStep;
+  addHooks();
+  together("thaw.Simulation", [&](SharedFailure& failure) {
+    return failure = shareFailure(*calls_, sim_.communicator()), true;
+  });
+}
+
+void PythonSimulation::addHooks() {
+  functions_.resize(kinds);
+  sim_.onStep([this] { callAll(afterStep); });
+  sim_.onFrame([this] { callAll(afterFrame); });
+  sim_.onEnd([this] { callAll(atEnd); });
+  for (std::size_t k = 0; k < hookPhaseNames.size(); k++)
+    sim_.onPhase(static_cast<HookPhase>(k), [this, k] { callAll(afterPhase + k); });
+}
+
+void PythonSimulation::callAll(std::size_t kind) {
+  for (std::size_t k = 0; k < functions_[kind].size(); k++) {
+    const std::function<void()> call = functions_[kind][k];  // a function may add others
+    call();
+  }
+  if (calls_->meeting.onAny >> kind & 1) meetAtEnd(calls_->meeting);
+}
+
+void PythonSimulation::keep(std::size_t kind, std::function<void()> call) {
+  refuseOtherThread();
+  calls_->meeting.here |= 1u << kind;
+  functions_[kind].push_back(std::move(call));
 }
 
 PythonSimulation::~PythonSimulation() { calls_->arrays.releaseFromEnd(); }
@@ -145,14 +177,7 @@ bool PythonSimulation::tryStep(bool share, SharedFailure& failure) {
 
 bool PythonSimulation::step() {
   refuseChange("step");
-  return together([&](SharedFailure& failure) { return tryStep(sim_.ranks() > 1, failure); });
-}
-
-/// Returns whether some rank has functions that steps call. Collective.
-bool PythonSimulation::anyRankCalls() const {
-  int calls = hasCalls_ ? 1 : 0;
-  MPI_Allreduce(MPI_IN_PLACE, &calls, 1, MPI_INT, MPI_MAX, sim_.communicator());
-  return calls != 0;
+  return together("sim.step", [&](SharedFailure& failure) { return tryStep(sim_.ranks() > 1, failure); });
 }
 
 namespace {
@@ -181,9 +206,9 @@ void PythonSimulation::run(std::optional<double> until, std::optional<std::int64
   };
   auto shown = Clock::now();
   std::int64_t left = steps.value_or(INT64_MAX);
-  together([&](SharedFailure& failure) {
+  together("sim.run", [&](SharedFailure& failure) {
     const TemporaryEnd temporary(sim_, last);
-    const bool share = sim_.ranks() > 1 && anyRankCalls();
+    const bool share = sim_.ranks() > 1 && calls_->meeting.onAny != 0;
     while (left-- > 0 && tryStep(share, failure)) {
       if (Clock::now() - shown < std::chrono::seconds(1)) continue;
       show();
@@ -196,7 +221,7 @@ void PythonSimulation::run(std::optional<double> until, std::optional<std::int64
 
 int PythonSimulation::finish() {
   refuseChange("finish");
-  return together([&](SharedFailure& failure) {
+  return together("sim.finish", [&](SharedFailure& failure) {
     const int code = sim_.finish();
     failure = shareFailure(*calls_, sim_.communicator());
     return code;
@@ -205,9 +230,10 @@ int PythonSimulation::finish() {
 
 void PythonSimulation::restore() {
   refuseChange("restore");
-  together([&](SharedFailure& failure) {
+  together("sim.restore", [&](SharedFailure& failure) {
     calls_->arrays.release();
     sim_.restore();
+    calls_->meeting.comm = sim_.communicator();
     failure = shareFailure(*calls_, sim_.communicator());
     return true;
   });
@@ -243,7 +269,7 @@ void addFlow(Ledgers& to, const std::string& name, const Balance& flow) {
 
 std::map<std::string, double> PythonSimulation::ledger() {
   LedgerReport l;
-  together([&](SharedFailure&) { return l = sim_.ledger(), true; });
+  together("sim.ledger", [&](SharedFailure&) { return l = sim_.ledger(), true; });
   Ledgers all{{"time", sim_.time()},
               {"mass", l.now.mass},
               {"kinetic", l.now.kinetic},
@@ -308,7 +334,7 @@ py::array PythonSimulation::gather(const std::string& table, const std::string& 
   const Table& t = tableOf(table);
   AnyColumn &id = columnOf(tableOf(table), "id"), &column = columnOf(tableOf(table), field);
   std::vector<std::byte> ids, values;
-  together([&](SharedFailure&) {
+  together("sim.gather('" + field + "')", [&](SharedFailure&) {
     ids = allRows(sim_.communicator(), id.bytes.data(), t.owned * id.elementBytes);
     values = allRows(sim_.communicator(), column.bytes.data(), t.owned * column.elementBytes);
     return true;
@@ -342,7 +368,7 @@ void PythonSimulation::endBlock(bool edit) {
   blocks_--;
   calls_->arrays.release();
   if (!edit) return;
-  together([&](SharedFailure& failure) {
+  together("the end of sim.local()", [&](SharedFailure& failure) {
     const bool changed = sim_.endEdit();
     if (changed && !sim_.busy()) failure = shareFailure(*calls_, sim_.communicator());
     return changed;
@@ -352,7 +378,7 @@ void PythonSimulation::endBlock(bool edit) {
 void PythonSimulation::writeFrame() {
   refuseOtherThread();
   if (blocks_ > 0) refuseChange("write_frame");
-  together([&](SharedFailure& failure) {
+  together("sim.write_frame", [&](SharedFailure& failure) {
     sim_.writeFrame();  // with functions of on_frame
     if (!sim_.busy()) failure = shareFailure(*calls_, sim_.communicator());
     return true;
@@ -362,17 +388,15 @@ void PythonSimulation::writeFrame() {
 void PythonSimulation::writeCheckpoint() {
   refuseOtherThread();
   if (blocks_ > 0) refuseChange("write_checkpoint");
-  together([&](SharedFailure&) { return sim_.writeCheckpoint(), true; });
+  together("sim.write_checkpoint", [&](SharedFailure&) { return sim_.writeCheckpoint(), true; });
 }
 
 void PythonSimulation::onStep(const py::function& call) {
-  hasCalls_ = true;
-  sim().onStep([f = keepFunction(call)] { guarded([&] { (*f)(); }); });
+  keep(afterStep, [f = keepFunction(call)] { guarded([&] { (*f)(); }); });
 }
 
 void PythonSimulation::onFrame(const py::function& call) {
-  hasCalls_ = true;
-  sim().onFrame([f = keepFunction(call)] { guarded([&] { (*f)(); }); });
+  keep(afterFrame, [f = keepFunction(call)] { guarded([&] { (*f)(); }); });
 }
 
 void PythonSimulation::onPhase(const std::string& phase, const py::function& call) {
@@ -383,24 +407,32 @@ void PythonSimulation::onPhase(const std::string& phase, const py::function& cal
       names += (names.empty() ? "" : ", ") + std::string(name);
     throw std::invalid_argument("unknown phase '" + phase + "'; a step has " + names);
   }
-  hasCalls_ = true;
-  sim().onPhase(static_cast<HookPhase>(at - hookPhaseNames.begin()), [this, f = keepFunction(call)] {
+  keep(afterPhase + static_cast<std::size_t>(at - hookPhaseNames.begin()), [this, f = keepFunction(call)] {
     guarded([&] { callWithRows(f, sim_.world().particles, sim_.time()); });
   });
 }
 
 void PythonSimulation::onEnd(const py::function& call) {
-  sim().onEnd([f = keepFunction(call)] { guarded([&] { (*f)(); }); });
+  keep(atEnd, [f = keepFunction(call)] { guarded([&] { (*f)(); }); });
 }
 
 void PythonSimulation::addLoad(const py::function& call) {
   refuseChange("add_force");
-  hasCalls_ = true;
-  together([&, f = keepFunction(call)](SharedFailure& failure) {
-    sim_.addForce([f](const OutsideLoad& load) { guarded([&] { callLoad(f, load); }); });
+  calls_->meeting.here |= 1u << duringStep;
+  together("sim.add_force", [&, f = keepFunction(call)](SharedFailure& failure) {
+    sim_.addForce([this, f](const OutsideLoad& load) {
+      guarded([&] { callLoad(f, load); });
+      meetAtEnd(calls_->meeting);
+    });
     failure = shareFailure(*calls_, sim_.communicator());
     return true;
   });
+}
+
+ObstacleLoad PythonSimulation::loadOf(const DrivenObstacle& obstacle) {
+  ObstacleLoad load;
+  together("obstacle.load", [&](SharedFailure&) { return load = obstacle.load(), true; });
+  return load;
 }
 
 }  // namespace thaw::python

@@ -5,6 +5,7 @@
 #include <pybind11/pybind11.h>
 
 #include <atomic>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -12,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "io/simulation/driven_obstacle.hpp"
 #include "io/simulation/simulation.hpp"
 #include "python/src/load_rows.hpp"
 
@@ -53,6 +55,8 @@ class PythonSimulation {
   int ranks() const { return sim().ranks(); }
   std::vector<std::string> warnings() const { return sim().warnings(); }
   Simulation& simulation() { return sim(); }
+  /// The force and torque on an obstacle. Collective.
+  ObstacleLoad loadOf(const DrivenObstacle& obstacle);
   std::map<std::string, double> ledger();
   /// Names of columns, and the rows of the ledger over time, of shape (rows, columns).
   std::pair<std::vector<std::string>, pybind11::array_t<double>> history() const;
@@ -91,20 +95,23 @@ class PythonSimulation {
   Simulation& sim() { return refuseOtherThread(), sim_; }
   Table& tableOf(const std::string& name);
   /// Runs `work`, in which all ranks meet, without the interpreter's lock. Throws exceptions of functions of
-  /// the program afterwards.
-  template<class Work> auto together(const Work& work);
+  /// the program afterwards. Throws DifferentCalls if some rank does not call `what`.
+  template<class Work> auto together(const std::string& what, const Work& work);
+  /// Registers the calls of all kinds of functions. All ranks have them, as they meet after the functions.
+  void addHooks();
+  /// Calls the functions of a kind, then meets if some rank has such functions.
+  void callAll(std::size_t kind);
+  void keep(std::size_t kind, std::function<void()> call);
   /// Notes a pending signal such as Ctrl-C. All ranks then stop after the step.
   void lookForSignals();
   /// Takes a step. share: ranks compare their failures afterwards. Otherwise they do so when all have
   /// stopped.
   bool tryStep(bool share, SharedFailure& failure);
   void endRun(const SharedFailure& failure);
-  bool anyRankCalls() const;
-
   std::unique_ptr<ProgramCalls> calls_ = std::make_unique<ProgramCalls>();
   Simulation sim_;
-  bool hasCalls_ = false;      // this rank has functions that steps call
-  int blocks_ = 0;             // open blocks of rows
+  std::vector<std::vector<std::function<void()>>> functions_;  // by kind
+  int blocks_ = 0;                                             // open blocks of rows
   std::thread::id busy_ = {};  // thread in a function of the simulation; guarded by the interpreter's lock
   std::atomic<bool> stopRequested_ = false;
 };

@@ -98,7 +98,7 @@ def test_arrays_share_the_memory_of_the_simulation():
         assert p.position.shape == (len(p), 3)
         assert np.shares_memory(p['position'], p['position'])
         assert not p.position.flags.writeable
-        with pytest.raises(KeyError, match='unknown field .colour.; the particles have'):
+        with pytest.raises(KeyError, match="table 'particles' has no field 'colour'. There are: "):
             p['colour']
     with pytest.raises(RuntimeError, match='block'):
         p['position']
@@ -198,7 +198,7 @@ def test_blocks_are_not_nested():
                 change()
         assert len(p) == len(p.position)
     assert sim.step()
-    with sim.local('particles') as p, pytest.raises(KeyError, match='unknown table'):
+    with sim.local('particles') as p, pytest.raises(KeyError, match="has no table '"):
         with sim.local('colours'):
             pass
 
@@ -300,6 +300,37 @@ def test_errors_have_the_place_of_the_command_line():
         thaw.Simulation('absent.toml')
 
 
+@pytest.mark.skipif(RANKS > 1, reason='the same on each rank')
+def test_arguments_of_other_types_are_refused():
+    with pytest.raises(thaw.SceneError, match='scene:1:1: error: there is nothing to simulate'):
+        thaw.Simulation({})
+    for given in (3, None):
+        with pytest.raises(TypeError, match=f'scene: expected a path, got {given}'):
+            thaw.Simulation(given)
+    for name, wrong, expected in (
+        ('comm', 4, 'a communicator of mpi4py'),
+        ('log', 3, 'a function'),
+        ('out', 3, 'a path'),
+        ('set', [1], 'a dict'),
+        ('time_limit', '1 h', 'a number'),
+    ):
+        with pytest.raises(TypeError, match=f'{name}: expected {expected}, got '):
+            thaw.Simulation(drop(), **{name: wrong})
+    sim = thaw.Simulation(drop())
+    for call, message in (
+        (lambda: sim.run(until='x'), "until: expected a number, got 'x'"),
+        (lambda: sim.run(steps=2.5), 'steps: expected a whole number, got 2.5'),
+        (lambda: sim.on_step(3), 'call: expected a function, got 3'),
+        (lambda: sim.on_phase('forces', 3), 'call: expected a function, got 3'),
+        (lambda: sim.add_force(3), 'force: expected a function, got 3'),
+    ):
+        with pytest.raises(TypeError, match=message):
+            call()
+    for call, name in ((lambda: sim.gather('colour'), 'colour'), (lambda: sim.fields('solid'), 'solid')):
+        with pytest.raises(thaw.FieldError, match=f"has no (field|table) '{name}'. There are: "):
+            call()
+
+
 def raising(sim, number, error):
     """A function that raises on the last rank in a step."""
 
@@ -342,9 +373,38 @@ def test_errors_on_the_only_rank_with_a_function_reach_all():
     assert sim.steps == 2
 
 
+def test_errors_between_collective_calls_reach_all():
+    sim = thaw.Simulation(drop())
+
+    def two_sums(s):
+        s.ledger
+        if s.steps == 2 and s.rank == s.ranks - 1:
+            raise KeyError('mine')
+        s.gather('mass', by='id')
+
+    sim.on_step(two_sums)
+    with expected(KeyError, 'mine'):
+        sim.run(steps=9)
+    assert sim.steps == 2 and sim.ledger['time'] == sim.time
+
+
+@pytest.mark.skipif(RANKS == 1, reason='one rank alone cannot differ')
+def test_different_calls_on_the_ranks_are_refused():
+    sim = thaw.Simulation(drop())
+    last = sim.rank == sim.ranks - 1
+    name = 'mass' if last else 'position'
+    with pytest.raises(RuntimeError, match=r"rank \d calls sim.gather\('(position|mass)'\)"):
+        sim.gather(name, by='id')
+    with pytest.raises(RuntimeError, match='all ranks have to call the same functions'):
+        sim.step() if last else sim.ledger
+    sim.on_step(lambda s: s.ledger if last else None)
+    with pytest.raises(RuntimeError, match='has ended its function without this call'):
+        sim.step()
+
+
 def test_errors_of_forces_are_raised():
     sim = thaw.Simulation(drop())
-    with pytest.raises(AttributeError, match='unknown field .colour.'):
+    with pytest.raises(AttributeError, match="no field 'colour'"):
         sim.add_force(lambda p, t: p.colour)
     sim.run(steps=2)  # the force is not there
     sim.add_force(raising(sim, 4, ZeroDivisionError('late')))
@@ -698,5 +758,5 @@ def test_a_refused_restart_ends_no_interpreter(folder):
     with thaw.Simulation(drop(extension={'still': {}}), folder) as sim:
         sim.run(steps=2)
         sim.finish()
-    with pytest.raises(thaw.SceneError, match='spacing'):
+    with pytest.raises(thaw.SceneError, match='scene:1:1: error: there is nothing to simulate'):
         thaw.Simulation(drop(extension={'still': {}}, spacing='6 cm'), folder, restart=True)

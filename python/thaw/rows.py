@@ -7,6 +7,8 @@ from typing import Any, Optional
 
 import numpy as np
 
+from .errors import unknownName
+
 __all__ = ["LocalArray", "Rows"]
 
 
@@ -112,9 +114,7 @@ class Rows:
         try:
             values = self._source.view(self._table, field, self._changes and field in self._WRITABLE)
         except KeyError:
-            raise KeyError(
-                f"unknown field '{field}'; the {self._table} have {', '.join(self.fields())}"
-            ) from None
+            raise unknownName(field, self.fields(), f"table '{self._table}'") from None
         self._arrays[field] = _local(values, self)
         return self._arrays[field]
 

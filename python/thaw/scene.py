@@ -10,6 +10,7 @@ import os
 import tempfile
 from typing import Any, Iterator, Mapping, Optional, Union
 
+from . import arguments
 from ._load import core, schemaText
 from .build import builderKeys
 
@@ -95,13 +96,15 @@ class Scene(metaclass=_Completed):
             self.name = name
             self.keys: Optional[dict[str, Any]] = builderKeys({**(scene or {}), **keys})
         else:
-            self.name = str(scene)
+            self.name = arguments.path("scene", scene)
             self.keys = None
             self.overrides = {key.replace("__", "."): value for key, value in keys.items()}
 
     @classmethod
     def of(cls, scene: Union[str, "Scene", Mapping[str, Any]]) -> "Scene":
         """The scene itself, or one made of a file or a dict of keys."""
+        if scene is None:
+            raise TypeError("scene: expected a path, got None")
         return scene if isinstance(scene, Scene) else cls(scene)
 
     def __getitem__(self, key: str) -> Any:
@@ -136,7 +139,7 @@ class Scene(metaclass=_Completed):
     @property
     def text(self) -> str:
         """The scene as TOML; empty for a file."""
-        return "" if self.keys is None else self.to_toml()
+        return "" if self.keys is None else self.to_toml() or "\n"
 
     def to_toml(self) -> str:
         """The keys as the text of a scene file."""

@@ -10,8 +10,9 @@ from typing import Any, Callable, Iterator, Mapping, Optional, Sequence, Union
 
 import numpy as np
 
+from . import arguments
 from ._load import core
-from .errors import BlewUp
+from .errors import BlewUp, unknownName
 from .extension import Load, callLoad, checkedLoad
 from .log import Log
 from .obstacles import Obstacles
@@ -19,6 +20,7 @@ from .picture import Picture, draw
 from .rows import Rows
 from .scene import Scene
 from .signals import StopSignals
+from .uncaught import end_all_ranks_on_exceptions
 
 __all__ = ["Rows", "Simulation"]
 
@@ -60,15 +62,18 @@ class Simulation:
         time_limit: Optional[float] = None,
     ):
         scene = Scene.of(scene)
-        options = {"scene": scene.name, "out": "" if out is None else str(out)}
+        options = {"scene": scene.name, "out": "" if out is None else arguments.path("out", out)}
         for key, on in (("restart", restart), ("resume", resume), ("force", force)):
             if on:
                 options[key] = "1"
         if time_limit is not None:
-            options["time_limit"] = repr(float(time_limit))
-        for key, value in {**scene.overrides, **(set or {})}.items():
+            options["time_limit"] = repr(arguments.number("time_limit", time_limit))
+        for key, value in {**scene.overrides, **arguments.mapping("set", set or {})}.items():
             options["set " + key] = Scene.toml_value(value)
-        self._core = core().Simulation(scene.text, options, log, None if comm is None else comm.py2f())
+        if log is not None:
+            arguments.function("log", log)
+        handle = None if comm is None else arguments.communicator("comm", comm)
+        self._core = core().Simulation(scene.text, options, log, handle)
         self.scene = scene
         # The compiled part has only weak references, so that a simulation ends with its last reference.
         self._calls: dict[str, list[Callable[..., Any]]] = {}
@@ -77,6 +82,8 @@ class Simulation:
         self._local: list[Rows] = []
         self._obstacles: Optional[Obstacles] = None
         self._signals = StopSignals(always=self._core.ranks > 1)
+        if self._core.ranks > 1:
+            end_all_ranks_on_exceptions(core().abort)
 
     def close(self) -> None:
         """Frees the simulation's memory and its folder. All later calls of methods raise RuntimeError.
@@ -155,12 +162,12 @@ class Simulation:
         a time that has passed. Raises BlewUp where the retries of a step are used up, then and in all later
         calls until restore().
         """
-        if until is not None and not until >= self.time:
+        if until is not None and not arguments.number("until", until) >= self.time:
             raise ValueError(
                 f"until: expected a time of at least {self.time:.9g} s, which is now, got {until}"
             )
-        if steps is not None and steps < 0:
-            raise ValueError(f"steps: expected a number of at least 0, got {steps}")
+        if steps is not None:
+            steps = arguments.count("steps", steps)
         show = None
         if progress and self.rank == 0:
             begin = self.time
@@ -226,7 +233,9 @@ class Simulation:
         return self._core.tables()
 
     def fields(self, table: str = "particles") -> dict[str, tuple[str, str, int]]:
-        """Fields of a table: name -> (unit, meaning, number of components)."""
+        """Fields of a table: name -> (unit, meaning, number of components). Raises thaw.FieldError."""
+        if table not in self.tables:
+            raise unknownName(table, self.tables, "the simulation", "table")
         return {name: (unit, about, n) for name, unit, about, n in self._core.fields(table)}
 
     @property
@@ -247,6 +256,7 @@ class Simulation:
         or checkpoint is possible.
         """
         changes = table == "particles"
+        self.fields(table)  # raises for an unknown table
         if changes and self._local:
             raise RuntimeError("sim.local(): a block of the particles is open; use its rows, sim.particles")
         self._core.begin_block(table, changes)
@@ -262,9 +272,14 @@ class Simulation:
             self._core.end_block(changes)
 
     def gather(self, field: str, by: str = "id", table: str = "particles") -> np.ndarray:
-        """A copy of a field of all ranks on every rank, sorted by id. For small cases."""
+        """A copy of a field of all ranks on every rank, sorted by id. For small cases.
+
+        Raises thaw.FieldError for an unknown table or field.
+        """
         if by != "id":
             raise ValueError("rows are sorted by id: by='id'")
+        if field not in self.fields(table):
+            raise unknownName(field, self.fields(table), f"table '{table}'")
         return self._core.gather(table, field)
 
     @property
@@ -323,7 +338,7 @@ class Simulation:
         name = field or ("temperature" if "temperature" in known else "velocity")
         if name not in known:
             if field and table == "particles":
-                raise KeyError(f"unknown field '{field}'; the particles have {', '.join(known)}")
+                raise unknownName(field, known, "table 'particles'")
             return np.full(n, np.nan)
         values = np.asarray(self.gather(name, table=table), float)
         return values if values.ndim == 1 else np.sqrt((values.reshape(n, -1) ** 2).sum(axis=1))
@@ -353,7 +368,7 @@ class Simulation:
     # The compiled part has only weak references, so that a simulation ends with its last reference.
     def _add(self, kind: str, call: Callable[..., Any]) -> None:
         calls = self._calls.setdefault(kind, [])
-        calls.append(call)
+        calls.append(arguments.function("call", call))
         if len(calls) > 1:
             return
         me = weakref.ref(self)
@@ -381,7 +396,8 @@ class Simulation:
         read-only, except for fields of extensions. Raises ValueError for an unknown phase.
         """
 
-        kind = "phase " + phase
+        arguments.function("call", call)
+        kind = f"phase {phase}"
         if kind not in self._calls:
             me = weakref.ref(self)
 
@@ -392,7 +408,7 @@ class Simulation:
                 finally:
                     rows._close()
 
-            self._core.on_phase(phase, after)
+            self._core.on_phase(str(phase), after)
         self._calls.setdefault(kind, []).append(call)
 
     def on_end(self, call: Callable[["Simulation"], Any]) -> None:
@@ -409,6 +425,8 @@ class Simulation:
         the largest speed of the flow.
         """
 
+        arguments.function("force", force)
+
         def load(p: Rows, time: float, forces: np.ndarray, flow: Optional[np.ndarray]) -> None:
             forces += checkedLoad(force(p, time), forces.shape, _nameOf(force))
 
@@ -416,6 +434,7 @@ class Simulation:
 
     def add_heat(self, heat: Callable[[Rows, float], Any]) -> None:
         """Adds a source of heat: heat(p, t) returns watts of shape (n,). Requires a scene with heat."""
+        arguments.function("heat", heat)
         if "temperature" not in self.fields():
             raise ValueError("the scene has no heat: nothing in it can change its temperature")
 
