@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/solid/data/id_table.hpp"
+#include "core/particles/id_table.hpp"
 
 namespace thaw {
 

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <vector>
 
-#include "core/solid/data/id_table.hpp"
+#include "core/particles/id_table.hpp"
 #include "parallel/sparse_exchange.hpp"
 
 namespace thaw {

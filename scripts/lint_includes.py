@@ -52,9 +52,9 @@ def leaf(file):
 
 
 def topFolder(file):
-    """The folder of io/ that a file is below, else None. Those of core/ are no units (architecture.md)."""
+    """The folder of core/ or io/ that a file is below, else None."""
     parts = file.split('/')
-    return '/'.join(parts[:2]) if parts[0] == 'io' and len(parts) > 2 else None
+    return '/'.join(parts[:2]) if parts[0] in ('core', 'io') and len(parts) > 2 else None
 
 
 def reachable(graph, start):

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "benchmarks/accuracy/trial.hpp"
-#include "core/fluid/rheology/laws/flow_law.hpp"
+#include "core/fluid/flow_laws/flow_law.hpp"
 
 namespace thaw::accuracy {
 namespace {

@@ -8,8 +8,8 @@
 #include "core/math/exact_sum.hpp"
 #include "core/neighbours/grid.hpp"
 #include "core/particles/continuum.hpp"
+#include "core/particles/solids.hpp"
 #include "core/scene/scene.hpp"
-#include "core/solid/data/solids.hpp"
 
 namespace thaw {
 

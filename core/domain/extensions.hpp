@@ -83,7 +83,7 @@ void declareNewborn(Continuum& particles);
 /// Returns that field if it is active, else null.
 AddedColumn* newbornOf(const Continuum& particles);
 /// Declares the field that keeps surface tension by curvature for the record of its work
-/// (core/fluid/curvature/curvature_force.hpp).
+/// (core/flow/curvature/curvature_force.hpp).
 void declareTensionForce(Continuum& particles);
 /// Returns that field, or null if it is not declared.
 AddedColumn* tensionForceOf(const Continuum& particles);

@@ -10,7 +10,7 @@
 #include "core/neighbours/grid.hpp"
 #include "core/neighbours/migration.hpp"
 #include "core/particles/continuum.hpp"
-#include "core/solid/data/solids.hpp"
+#include "core/particles/solids.hpp"
 
 namespace thaw {
 

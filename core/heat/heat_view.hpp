@@ -3,9 +3,9 @@
 #pragma once
 #include "core/ledger/ledger.hpp"
 #include "core/particles/continuum.hpp"
+#include "core/particles/solids.hpp"
 #include "core/scene/modules.hpp"
 #include "core/scene/scene.hpp"
-#include "core/solid/data/solids.hpp"
 #include "core/time/clock.hpp"
 
 namespace thaw {

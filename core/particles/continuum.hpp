@@ -69,7 +69,7 @@ struct Continuum : Table {
       "concentration gradient times h", Rows::Owned};
   Column<u8> atSurface{*this, "atSurface", "1", Keep::State,
       "1: at the free surface in the last step (core/fluid/laws/free_surface.hpp)"};
-  // Incompressible liquids (core/fluid/incompressible/).
+  // Incompressible liquids (core/flow/incompressible/).
   Column<float> densityPressure{*this, "densityPressure", "Pa", Keep::State,
       "density pressure (DFSPH) of the next step, over the step; initial guess of the next solve"};
   Column<float> divergencePressure{*this, "divergencePressure", "Pa", Keep::State,
@@ -98,7 +98,7 @@ struct Continuum : Table {
   Column<float> viscosityCorrection{*this, "viscosityCorrection", "1", Keep::State,
       "factor of the viscosity minus 1 (core/fluid/laws/viscosity_factor.hpp)"};
   Column<float> apparentViscosity{*this, "apparentViscosity", "Pa s", Keep::State,
-      "viscosity at the shear rate of the last step (core/fluid/rheology/)"};
+      "viscosity at the shear rate of the last step (core/flow/rheology/)"};
   Column<float> compressionRate{*this, "compressionRate", "1/s", Keep::State,
       "rate of the relative density in the last step; bulk damping uses it", Rows::Owned};
   Column<Vec3d> viscousAcceleration{*this, "viscousAcceleration", "m/s^2", Keep::State,

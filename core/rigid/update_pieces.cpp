@@ -15,7 +15,7 @@
 #include "core/rigid/rotation.hpp"
 #include "core/rigid/sleeping_pieces.hpp"
 #include "core/rigid/surface_elements.hpp"
-#include "core/solid/data/weight.hpp"
+#include "core/solid/bonds/weight.hpp"
 
 namespace thaw {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Viscosity of a liquid as a function of its shear rate (core/fluid/rheology/).
+// Viscosity of a liquid as a function of its shear rate (core/flow/rheology/).
 #pragma once
 #include <utility>
 #include <vector>

@@ -14,14 +14,14 @@ struct Modules {
   bool continuity = false;      ///< the density of liquids follows from the continuity equation
   bool corrected = false;       ///< with corrected gradients
   bool shifting = false;        ///< liquid particles shift towards lower concentration
-  bool incompressible = false;  ///< pressure from the solver of core/fluid/incompressible/ instead of the
+  bool incompressible = false;  ///< pressure from the solver of core/flow/incompressible/ instead of the
                                 ///< equation of state
   bool tension = false;         ///< a liquid has surface tension
   bool surfaceEnergy = false;   ///< surface tension is the gradient of a surface energy
                                 ///< (core/fluid/laws/surface_energy.hpp)
   bool xsph = false, artificialViscosity = false;
   bool implicitViscosity = false;    ///< a liquid has viscosity and the scene selects the implicit solver
-  bool flowLaw = false;              ///< viscosity depends on the shear rate (core/fluid/rheology/)
+  bool flowLaw = false;              ///< viscosity depends on the shear rate (core/flow/rheology/)
   bool bulkDamping = false;          ///< liquids with volume viscosity
   bool viscosityCorrection = false;  ///< viscosity is corrected for the arrangement of the particles
   bool solid = false;                ///< some particle is or can become solid: bonds, elastic forces

@@ -5,7 +5,7 @@
 
 namespace thaw {
 
-/// Returns true if surface tension is a force by the curvature of the free surface (core/fluid/curvature/).
+/// Returns true if surface tension is a force by the curvature of the free surface (core/flow/curvature/).
 /// It has no stored energy and no pair sums.
 inline bool actsByCurvature(const Numerics& numerics, const Modules& modules) {
   return modules.tension && numerics.tension == TensionForm::Curvature;

@@ -9,9 +9,9 @@
 #include "core/neighbours/grid.hpp"
 #include "core/neighbours/neighbour_lists.hpp"
 #include "core/particles/continuum.hpp"
+#include "core/particles/solids.hpp"
 #include "core/scene/scene.hpp"
 #include "core/sleep/sleep.hpp"
-#include "core/solid/data/solids.hpp"
 #include "core/time/clock.hpp"
 #include "core/walls/walls.hpp"
 

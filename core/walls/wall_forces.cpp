@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/contact/dashpot.hpp"
+#include "core/fluid/flow_laws/particle_viscosity.hpp"
 #include "core/fluid/laws/particle_pressure.hpp"
-#include "core/fluid/rheology/laws/particle_viscosity.hpp"
 #include "core/materials/contact_modulus.hpp"
 #include "core/materials/enthalpy.hpp"
 #include "core/materials/rest_density.hpp"

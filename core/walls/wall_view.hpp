@@ -5,9 +5,9 @@
 #include "core/ledger/ledger.hpp"
 #include "core/neighbours/grid.hpp"
 #include "core/particles/continuum.hpp"
+#include "core/particles/solids.hpp"
 #include "core/scene/modules.hpp"
 #include "core/scene/scene.hpp"
-#include "core/solid/data/solids.hpp"
 #include "core/walls/walls.hpp"
 
 namespace thaw {

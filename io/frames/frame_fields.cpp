@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "core/fluid/flow_laws/particle_viscosity.hpp"
 #include "core/fluid/laws/particle_pressure.hpp"
-#include "core/fluid/rheology/laws/particle_viscosity.hpp"
 #include "core/materials/rest_density.hpp"
 #include "core/solid/laws/plasticity.hpp"
 #include "io/frames/frame_rows.hpp"

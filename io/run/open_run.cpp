@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "core/fluid/density/connected_density.hpp"
+#include "core/flow/density/connected_density.hpp"
 #include "io/hdf5/collective_error.hpp"
 #include "io/run/reports/progress.hpp"
 #include "io/run/require_memory.hpp"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "core/fluid/rheology/laws/flow_law.hpp"
+#include "core/fluid/flow_laws/flow_law.hpp"
 #include "tests/support/flows.hpp"
 
 namespace thaw::test {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/fluid/density/connected_density.hpp"
+#include "core/flow/density/connected_density.hpp"
 #include "core/fluid/terms/carry.hpp"
 #include "tests/support/simulation.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Surface tension by curvature (core/fluid/curvature/).
+// Surface tension by curvature (core/flow/curvature/).
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums of the incompressible pressure solver (core/fluid/incompressible/): the constraint gradient applied to
+// Sums of the incompressible pressure solver (core/flow/incompressible/): the constraint gradient applied to
 // velocities, its transpose applied to pressures, and the diagonal of their product. Three terms of the pair
 // sums (term.hpp).
 #pragma once

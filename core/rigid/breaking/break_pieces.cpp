@@ -13,7 +13,7 @@
 #include "core/rigid/link_pieces.hpp"
 #include "core/rigid/piece_sums.hpp"
 #include "core/rigid/update_pieces.hpp"
-#include "core/solid/data/weight.hpp"
+#include "core/solid/bonds/weight.hpp"
 
 namespace thaw {
 namespace {

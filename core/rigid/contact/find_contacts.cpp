@@ -8,7 +8,7 @@
 #include "core/neighbours/rows_around.hpp"
 #include "core/rigid/contact/element_pairs.hpp"
 #include "core/rigid/contact/reduce_contacts.hpp"
-#include "core/solid/data/weight.hpp"
+#include "core/solid/bonds/weight.hpp"
 #include "core/walls/faces.hpp"
 #include "core/walls/reachable.hpp"
 

@@ -8,9 +8,9 @@
 
 #include "core/neighbours/grid.hpp"
 #include "core/particles/body_type_rows.hpp"
+#include "core/particles/solids.hpp"
 #include "core/sheet/data/exact_step.hpp"
 #include "core/sheet/data/plan_sheets.hpp"
-#include "core/solid/data/solids.hpp"
 
 namespace thaw {
 

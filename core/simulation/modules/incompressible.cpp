@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/fluid/incompressible/pressure_solver.hpp"
+#include "core/flow/incompressible/pressure_solver.hpp"
 #include "core/simulation/modules/step_modules.hpp"
 #include "core/simulation/step_context.hpp"
 #include "core/simulation/sums/particle_sums.hpp"

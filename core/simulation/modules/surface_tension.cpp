@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/fluid/curvature/curvature_force.hpp"
+#include "core/flow/curvature/curvature_force.hpp"
 #include "core/scene/tension_form.hpp"
 #include "core/simulation/ledger/energy_left.hpp"
 #include "core/simulation/modules/step_modules.hpp"

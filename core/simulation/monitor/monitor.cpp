@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/fluid/rheology/laws/flow_law.hpp"
+#include "core/fluid/flow_laws/flow_law.hpp"
 #include "core/materials/contact_modulus.hpp"
 #include "core/scene/phase_density.hpp"
 #include "core/sheet/data/plan_sheets.hpp"

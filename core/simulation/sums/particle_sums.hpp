@@ -57,7 +57,7 @@ void correctViscosity(World& world, StepTools& tools);
 /// Computes viscous forces of the implicit solver (fluid/implicit_viscosity/), after all others.
 void solveViscosity(World& world, Halos halos, StepTools& tools, const WallContext& walls);
 
-/// Runs the pressure solver (fluid/incompressible/). dt (s): the step that ends now. Collective.
+/// Runs the pressure solver (core/flow/incompressible/). dt (s): the step that ends now. Collective.
 void solvePressure(World& world, Halos halos, StepTools& tools, double dt);
 
 /// Computes Continuum::softening of compression and surface tension from Continuum::interaction. Requires:

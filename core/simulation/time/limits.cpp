@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/fluid/rheology/laws/particle_viscosity.hpp"
+#include "core/fluid/flow_laws/particle_viscosity.hpp"
 #include "core/kernels/lattice.hpp"
 #include "core/materials/contact_modulus.hpp"
 #include "core/materials/enthalpy.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Views for modules: the data of a run that each reads and changes.
 #pragma once
-#include "core/fluid/density/carried_density.hpp"
+#include "core/flow/density/carried_density.hpp"
 #include "core/heat/evaporation.hpp"
 #include "core/heat/heat_view.hpp"
 #include "core/oriented/data/oriented_view.hpp"

@@ -6,7 +6,7 @@
 #include "core/halo/halo.hpp"
 #include "core/neighbours/neighbour_lists.hpp"
 #include "core/scene/scene.hpp"
-#include "core/solid/data/weight.hpp"
+#include "core/solid/bonds/weight.hpp"
 
 namespace thaw {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/halo/halo.hpp"
+#include "core/particles/id_table.hpp"
 #include "core/solid/bonds/bond_records.hpp"
-#include "core/solid/data/id_table.hpp"
 
 namespace thaw {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/solid/data/solids.hpp"
+#include "core/particles/solids.hpp"
 
 namespace thaw {
 

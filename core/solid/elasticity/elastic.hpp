@@ -23,10 +23,10 @@
 #include "core/ledger/ledger.hpp"
 #include "core/materials/elastic_constants.hpp"
 #include "core/particles/continuum.hpp"
+#include "core/particles/solids.hpp"
 #include "core/scene/modules.hpp"
 #include "core/scene/scene.hpp"
-#include "core/solid/data/solids.hpp"
-#include "core/solid/data/weight.hpp"
+#include "core/solid/bonds/weight.hpp"
 
 namespace thaw {
 

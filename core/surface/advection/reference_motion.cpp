@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/surface/advection/reference_motion.hpp"
 
-#include "core/solid/data/weight.hpp"
+#include "core/solid/bonds/weight.hpp"
 #include "core/solid/elasticity/moment.hpp"
 
 namespace thaw {

@@ -3,9 +3,9 @@
 #pragma once
 #include "core/neighbours/grid.hpp"
 #include "core/particles/continuum.hpp"
+#include "core/particles/solids.hpp"
 #include "core/scene/modules.hpp"
 #include "core/scene/scene.hpp"
-#include "core/solid/data/solids.hpp"
 #include "core/surface/data/surface.hpp"
 #include "core/time/clock.hpp"
 #include "core/walls/walls.hpp"

@@ -14,7 +14,7 @@
 #include "core/geometry/trees/triangle_bvh.hpp"
 #include "core/materials/enthalpy.hpp"
 #include "core/math/tangent.hpp"
-#include "core/solid/data/weight.hpp"
+#include "core/solid/bonds/weight.hpp"
 
 namespace thaw {
 namespace {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/solid/data/id_table.hpp"
+#include "core/particles/id_table.hpp"
 #include "core/surface/data/place_rows.hpp"
 #include "core/surface/search/multi_label_bins.hpp"
 #include "core/surface/topology/components.hpp"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/fluid/rheology/laws/flow_law.hpp"
+#include "core/fluid/flow_laws/flow_law.hpp"
 #include "core/kernels/lattice.hpp"
 #include "core/materials/liquid_materials.hpp"
 #include "core/scene/full_box.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "core/fluid/rheology/laws/flow_law.hpp"
+#include "core/fluid/flow_laws/flow_law.hpp"
 #include "core/scene/material_use.hpp"
 #include "core/simulation/time/limits.hpp"
 #include "core/simulation/workspace/step_tools.hpp"

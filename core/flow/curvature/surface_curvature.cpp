@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/fluid/curvature/surface_curvature.hpp"
+#include "core/flow/curvature/surface_curvature.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/fluid/density/connected_density.hpp"
+#include "core/flow/density/connected_density.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/fluid/incompressible/pressure_solver.hpp"
+#include "core/flow/incompressible/pressure_solver.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/fluid/density/carry_work.hpp"
+#include "core/flow/density/carry_work.hpp"
 #include "core/fluid/pair_sums/carry.hpp"
 #include "core/ledger/counters.hpp"
 #include "core/materials/liquid_materials.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/fluid/implicit_viscosity/implicit_viscosity.hpp"
+#include "core/flow/implicit_viscosity/implicit_viscosity.hpp"
 
 #include <algorithm>
 #include <array>

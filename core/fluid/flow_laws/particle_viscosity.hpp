@@ -3,7 +3,7 @@
 #pragma once
 #include <cstddef>
 
-#include "core/fluid/rheology/laws/flow_law.hpp"
+#include "core/fluid/flow_laws/flow_law.hpp"
 #include "core/materials/liquid_materials.hpp"
 #include "core/particles/continuum.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/fluid/rheology/shear_sums.hpp"
+#include "core/flow/rheology/shear_sums.hpp"
 #include "tests/support/lattice.hpp"
 
 namespace thaw::test {

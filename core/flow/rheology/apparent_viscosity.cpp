@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/fluid/rheology/apparent_viscosity.hpp"
+#include "core/flow/rheology/apparent_viscosity.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "core/flow/rheology/shear_sums.hpp"
+#include "core/fluid/flow_laws/flow_law.hpp"
 #include "core/fluid/laws/particle_pressure.hpp"
-#include "core/fluid/rheology/laws/flow_law.hpp"
-#include "core/fluid/rheology/shear_sums.hpp"
 
 namespace thaw {
 namespace {

@@ -19,7 +19,7 @@
 // momentum (N83), restarted where it points uphill (OC15). All decisions rest on integer sums over all ranks,
 // so the number of iterations does not depend on the number of ranks.
 #pragma once
-#include "core/fluid/incompressible/pressure_system.hpp"
+#include "core/flow/incompressible/pressure_system.hpp"
 
 namespace thaw {
 

@@ -19,7 +19,7 @@
 #pragma once
 #include <cstddef>
 
-#include "core/fluid/implicit_viscosity/viscous_work.hpp"
+#include "core/flow/implicit_viscosity/viscous_work.hpp"
 #include "core/fluid/pair_sums/pair_kernels.hpp"
 #include "core/fluid/pair_sums/pair_sums.hpp"
 #include "core/halo/halos.hpp"

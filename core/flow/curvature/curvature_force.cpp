@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/fluid/curvature/curvature_force.hpp"
+#include "core/flow/curvature/curvature_force.hpp"
 
 #include <algorithm>
 

@@ -7,7 +7,7 @@
 // outside, and its net impulse is recorded, too.
 #pragma once
 #include "core/domain/outside_forces.hpp"
-#include "core/fluid/curvature/surface_curvature.hpp"
+#include "core/flow/curvature/surface_curvature.hpp"
 
 namespace thaw {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/fluid/rheology/shear_sums.hpp"
+#include "core/flow/rheology/shear_sums.hpp"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sums of shear_sums.hpp, compiled once per instruction set.
-#include "core/fluid/rheology/shear_sums.hpp"
+#include "core/flow/rheology/shear_sums.hpp"
 #include "core/fluid/terms/choose_types.hpp"
 #include "core/fluid/terms/term.hpp"
 #include "core/simd/isa_name.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/fluid/incompressible/pressure_system.hpp"
+#include "core/flow/incompressible/pressure_system.hpp"
 
-#include "core/fluid/incompressible/pressure_records.hpp"
+#include "core/flow/incompressible/pressure_records.hpp"
 #include "core/halo/exchange.hpp"
 #include "core/materials/rest_density.hpp"
 

@@ -4,8 +4,8 @@
 // freezes. Rows [0, owned) belong to continuum particles of this rank; rows [owned, owned + ghosts) are
 // remote ends of bonds.
 #pragma once
+#include "core/particles/bonds.hpp"
 #include "core/particles/column.hpp"
-#include "core/solid/data/bonds.hpp"
 
 namespace thaw {
 

@@ -4,7 +4,7 @@
 #pragma once
 #include <vector>
 
-#include "core/fluid/incompressible/pressure_work.hpp"
+#include "core/flow/incompressible/pressure_work.hpp"
 #include "core/fluid/pair_sums/pair_kernels.hpp"
 #include "core/fluid/pair_sums/pair_sums.hpp"
 #include "core/fluid/pair_sums/records.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/fluid/density/carried_density.hpp"
+#include "core/flow/density/carried_density.hpp"
 
 #include <span>
 
-#include "core/fluid/density/connected_density.hpp"
+#include "core/flow/density/connected_density.hpp"
 #include "core/fluid/laws/free_surface.hpp"
 #include "core/fluid/laws/particle_pressure.hpp"
 #include "core/particles/shifted.hpp"

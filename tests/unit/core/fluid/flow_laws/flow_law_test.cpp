@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/fluid/rheology/laws/flow_law.hpp"
+#include "core/fluid/flow_laws/flow_law.hpp"
 
 namespace thaw::test {
 namespace {
