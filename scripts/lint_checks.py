@@ -51,6 +51,13 @@ def longLines(files):
                 yield file, number, None, f'{len(line)} columns, at most {MOST_COLUMNS} are allowed'
 
 
+def mergeMarkers(files):
+    for file in files:
+        for number, line in enumerate(readLines(file), 1):
+            if line.startswith(('<<<<<<< ', '>>>>>>> ')):
+                yield file, number, None, 'a marker of a merge: choose one of both texts'
+
+
 def withoutLicence(files):
     for file in files:
         expected = licenceLine(file)
@@ -264,6 +271,7 @@ def record(name, findings, about):
 SHRINKS = 'The list may only shrink (scripts/lint).'
 CHECKS = {
     'licence': (withoutLicence, f'Files without an SPDX line: their count. {SHRINKS}'),
+    'merge_markers': (mergeMarkers, None),
     'long_lines': (longLines, None),
     'includes': (
         upwardIncludes,

@@ -113,6 +113,7 @@ printf '// Of a number.\n// .5 of it is a half.\n#pragma once\n' >"$dir/tree/cor
 printf 'echo "%s"\n' "$long" >"$dir/tree/scripts/long.sh"
 printf '\nIt occ%s twice.\n[A link](nowhere.md)\n[Another](page.md#another-part)\n' ured \
   >>"$dir/tree/docs/page.md"
+printf '\n<<<<<<%s HEAD\n' '<' >>"$dir/tree/scripts/long.sh"
 { printf '\nThe step is to%s its length.\n\nA sentence' ld; printf ' and on%.0s' {1..15}; printf '.\n'; } \
   >>"$dir/tree/docs/page.md"
 { printf 'void steps() {\n'; printf '  step();\n%.0s' {1..70}; printf '}\n'; } >"$dir/tree/core/heat/long.cpp"
@@ -120,6 +121,7 @@ for i in {1..31}; do printf '#pragma once\n' >"$dir/tree/core/math/file_$i.hpp";
 lint
 finds 'a listed include that is gone' '^scripts/lint_known_includes.txt:1: .*occurs 0 times'
 finds 'a long line' '^scripts/long.sh:1: 11[0-9] columns, at most 110'
+finds 'a marker of a merge' '^scripts/long.sh:3: a marker of a merge'
 finds 'a misspelt word' '^(\./)?docs/page.md:5: occ''ured ==> occurred'
 finds 'a dead link' '^docs/page.md:6: dead link: there is no docs/nowhere.md'
 finds 'a word for persons' '^docs/page.md:9: "to''ld" makes a person of the code'
