@@ -55,7 +55,9 @@ void checkOrientedEvents(SceneReading& x, std::vector<SceneError>& errors) {
                                                b.name)});
       if (e.otherIndex < 0 && !e.other.empty())
         errors.push_back(
-            {e.where, fmt::format("oriented body '{}': weld: unknown oriented body '{}'", b.name, e.other)});
+            {e.where, fmt::format("oriented body '{}': weld: unknown oriented body '{}': expected "
+                                  "the name of another [[oriented]]",
+                                  b.name, e.other)});
     }
   if (cuts > mostCuts)
     errors.push_back({x.start, fmt::format("the scene has {} cuts of oriented bodies; expected at most {}",

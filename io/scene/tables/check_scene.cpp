@@ -26,7 +26,8 @@ void checkSurface(const Scene& scene, std::vector<SceneError>& errors) {
                                   s.leastLevel, s.isoLevel)});
   if (s.spacing > 0 && s.spacing < 1e-3 * scene.spacing)
     errors.push_back({placeOf({"spacing"}),
-                      fmt::format("`surface.spacing` ({:g} m) is less than a thousandth of spacing ({:g} m)",
+                      fmt::format("`surface.spacing` ({:g} m) is too fine: expected at least a thousandth of "
+                                  "`spacing` ({:g} m)",
                                   s.spacing, scene.spacing)});
 }
 
@@ -46,7 +47,7 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
   const auto resolve = [&](const MaterialName& m, const std::string& who, int& index) {
     for (std::size_t k = 0; k < s.materials.size(); k++)
       if (s.materials[k].name == m.name) return static_cast<void>(index = static_cast<int>(k));
-    const std::string what = m.name.empty() ? "its material is missing"
+    const std::string what = m.name.empty() ? "its material is missing: expected `material`"
                                             : "unknown material '" + m.name + "'" + suggestion(m.name, names);
     if (!m.reported && x.materials) errors.push_back({m.where, who + ": " + what});
   };
@@ -99,15 +100,16 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
       if (m.paperDiffusivity == 0 && (m.conductivity.solid > 0 || m.conductivity.liquid > 0))
         errors.push_back(
             {m.where, fmt::format("material.{}: with `numerics.heat = \"paper\"` heat spreads by "
-                                  "`paper_diffusivity`, not by conductivity",
+                                  "`paper_diffusivity`, not by `conductivity`: set it instead",
                                   m.name)});
   const auto solid = std::find_if(s.materials.begin(), s.materials.end(),
                                   [](const Material& m) { return m.canBeSolid(); });
   if (solid != s.materials.end() && s.numerics.bondSupport > s.numerics.support)
     errors.push_back(
-        {solid->where, fmt::format("material.{} can be solid, and `numerics.bond_support` ({:g}) is above "
-                                   "`numerics.support` ({:g}), the radius of the neighbour search",
-                                   solid->name, s.numerics.bondSupport, s.numerics.support)});
+        {solid->where,
+         fmt::format("material.{} can be solid, and `numerics.bond_support` ({:g}) is above "
+                     "`numerics.support` ({:g}), the radius of the neighbour search: make it smaller",
+                     solid->name, s.numerics.bondSupport, s.numerics.support)});
   const Numerics& n = s.numerics;
   if (n.sleepSpeed > 0) {
     const auto refuse = [&](bool is, const char* what) {
@@ -140,9 +142,8 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
         errors.push_back(
             {m.where,
              fmt::format(
-                 "material.{}: convection, emissivity and evaporation need `numerics.support` of 2 at "
-                 "least, got {:g}: with "
-                 "fewer neighbours, inner particles would count as surface particles",
+                 "material.{}: convection, emissivity and evaporation need `numerics.support` of at least 2, "
+                 "got {:g}: with fewer neighbours, inner particles would count as surface particles",
                  m.name, n.support)});
   checkBuoyancy(x, errors);
   checkTension(s, errors);

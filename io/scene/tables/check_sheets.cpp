@@ -63,7 +63,8 @@ void checkInertia(const Scene& s, const SheetBody& b, const SheetRegion* r, std:
   const SourcePlace where = r ? r->where : b.massWhere;
   const bool damped = least(SheetFactor::Damping) > 0;
   if (!damped && !(least(SheetFactor::Stiffness) > 0)) {
-    errors.push_back({where, who + ": mass, damping and stiffness must not all be zero at the same time"});
+    errors.push_back(
+        {where, who + ": mass, damping and stiffness must not all be zero at the same time: set one"});
     return;
   }
   if (const std::string force = positionDependentForce(s, b); !damped && !force.empty())

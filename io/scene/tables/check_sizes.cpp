@@ -116,7 +116,8 @@ std::string noGridFor(const Scene& s) {
 void checkSizes(const SceneReading& x, std::vector<SceneError>& errors) {
   const Scene& s = *x.scene;
   if (s.bodies.size() + s.emitters.size() > 65000)
-    errors.push_back({x.start, "more than 65000 bodies and emitters"});
+    errors.push_back({x.start, fmt::format("the scene has {} bodies and emitters; expected at most 65000",
+                                           s.bodies.size() + s.emitters.size())});
   const std::string noGrid = noGridFor(s);
   // A body that is too fine is too fine for the domain as well. One message is enough.
   if (const std::string text = tooFineForBodies(s, !noGrid.empty()); !text.empty())

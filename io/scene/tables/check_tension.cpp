@@ -52,8 +52,8 @@ void checkCurvature(const Scene& s, const SourcePlace& where, std::vector<SceneE
                       "other densities are low at a free surface, and its particles clump"});
   if (n.support < 1.9)
     errors.push_back(
-        {where, fmt::format("`numerics.tension = \"curvature\"` needs `numerics.support` of 2 at "
-                            "least, got {:g}: a particle of the surface needs neighbours on it",
+        {where, fmt::format("`numerics.tension = \"curvature\"` needs `numerics.support` of at least "
+                            "2, got {:g}: a particle of the surface needs neighbours on it",
                             n.support)});
 }
 

@@ -81,7 +81,7 @@ void readEmitter(TableReader& r, Emitter& e, SceneReading& x) {
   r.as(Restart::State).number("start", e.start, "s", notNegative(), "time at which it starts");
   r.number("end", e.end, "s", orNever(notNegative()), "time at which it ends");
   if (!r.reading()) return;
-  if (length(e.direction) == 0) r.fail("direction", "must not be zero");
+  if (length(e.direction) == 0) r.fail("direction", "must not be zero: expected a direction");
   if (e.end < e.start) r.fail("end", "must not be before `start`", {"start"});
   if (e.name.empty()) e.name = "emitter " + std::to_string(x.scene->emitters.size());
 }

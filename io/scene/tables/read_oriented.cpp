@@ -101,7 +101,7 @@ void readEvent(TableReader& r, OrientedEvent& e) {
   r.table("plane", "cut: the plane", cut && e.tool == CutTool::Plane, [&](TableReader& t) {
     t.vector("point", e.point, "m", "a point of the plane");
     t.vector("normal", e.normal, "", "normal of the plane; any length but 0");
-    if (length(e.normal) == 0) t.fail("normal", "must not be zero");
+    if (length(e.normal) == 0) t.fail("normal", "must not be zero: expected a direction");
   });
   readPoints(r,
              {"stroke", "m",
@@ -140,12 +140,12 @@ void readEvent(TableReader& r, OrientedEvent& e) {
     if (length(e.path[k + 1] - e.path[k]) == 0)
       r.fail(crease ? "along" : "stroke", "two successive points are equal; expected a line");
   if (e.kind == OrientedEventKind::Weld && e.other.empty())
-    r.fail("other", "is missing: the body to weld to this one");
+    r.fail("other", "is missing: expected the name of the body to weld to this one");
   if (e.kind == OrientedEventKind::Crease && e.path.size() < 2)
     r.fail("along", "expected at least two points");
   if (e.kind == OrientedEventKind::Cut && e.tool == CutTool::Stroke && e.path.size() < 2)
     r.fail("stroke", "expected at least two points");
-  if (length(e.direction) == 0) r.fail("direction", "must not be zero");
+  if (length(e.direction) == 0) r.fail("direction", "must not be zero: expected a direction");
   else if (cut && e.tool == CutTool::Stroke && e.path.size() > 1 && isParallelStroke(e))
     r.fail("stroke",
            "is parallel to its `direction` and defines no plane: expected a direction across the stroke");
@@ -212,9 +212,10 @@ void readSource(TableReader& r, OrientedBody& b) {
   if (given > 0) refuseShape(r, "a second source of particles; expected one");
   if (r.has("normals") && !points) r.fail("normals", "is for `points` only");
   if (points && !b.normals.empty() && b.normals.size() != b.points.size())
-    r.fail("normals", "there must be one for each point");
+    r.fail("normals", "expected one for each of `points`, " + std::to_string(b.points.size()) + ", got " +
+                          std::to_string(b.normals.size()));
   for (const Vec3d& n : b.normals)
-    if (length(n) == 0) r.fail("normals", "must not be zero");
+    if (length(n) == 0) r.fail("normals", "must not be zero: expected directions");
   if (r.recording() ? b.source == OrientedSource::Surface : given == 0) readShape(r, b.shape);
   else place();
 }

@@ -99,13 +99,14 @@ void readSolids(TableReader& r, Shape& s) {
           s.kind == ShapeKind::HalfSpace, [&](TableReader& t) {
             t.vector("point", s.point, "m", "a point of the plane");
             t.vector("normal", s.normal, "", "normal out of the solid; any length but 0");
-            if (length(s.normal) == 0) t.fail("normal", "must not be zero");
+            if (length(s.normal) == 0) t.fail("normal", "must not be zero: expected a direction");
           });
 }
 
 void readParts(TableReader& r, const char* key, ShapeKind kind, Shape& s) {
   if (r.recording() ? s.kind != kind : !r.has(key)) return;
-  if (r.reading() && r.path().size() > deepest) return r.fail(r.place(), "shapes are nested too deeply");
+  if (r.reading() && r.path().size() > deepest)
+    return r.fail(r.place(), "shapes are nested too deeply: expected fewer levels of nesting");
   if (r.reading()) s.parts.clear();
   r.tables(key, "", s.parts, readShape);
   const std::size_t least = kind == ShapeKind::Union ? 1 : 2;

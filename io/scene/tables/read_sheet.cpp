@@ -182,7 +182,10 @@ void readCoefficientsInTime(TableReader& r, SheetBody& b) {
     readInTime(r, key.c_str(), b.inTime[f],
                ("factor of " + std::string(coefficient) + ", linear in between").c_str(), factorRange(f));
     if (r.has(key) && b.*value == 0)
-      r.fail(key, "is a factor of " + std::string(coefficient) + ", which is 0", {coefficient});
+      r.fail(key,
+             fmt::format("is a factor of {0}, which is 0: set `{0}` of the sheet, or remove the factor",
+                         coefficient),
+             {coefficient});
   }
 }
 
@@ -192,8 +195,10 @@ void checkRegions(TableReader& r, const SheetBody& b) {
     for (std::size_t f = 0; f < sheetFactors; f++) {
       const auto& [coefficient, value] = sheetCoefficients[f];
       if (b.regions[k].factor[f] != 1 && b.*value == 0)
-        r.fail(b.regions[k].where, fmt::format("{}.region.{}.{}: is a factor of {}, which is 0", r.path(), k,
-                                               coefficient, coefficient));
+        r.fail(b.regions[k].where,
+               fmt::format("{0}.region.{1}.{2}: is a factor of {2}, which is 0: set `{2}` of the sheet, or "
+                           "remove the factor",
+                           r.path(), k, coefficient));
     }
 }
 
@@ -239,7 +244,7 @@ void readSheet(TableReader& r, SheetBody& b, SceneReading& x) {
   if (length(b.wind) > 0 && b.windDensity == 0)
     r.fail("wind", "needs `wind_density`: air without mass does not push", {"wind_density"});
   if (b.pull > 0 && b.pullReach == 0) r.fail("pull_reach", "must be above 0 with `pull`", {"pull"});
-  if (length(b.warpDirection) == 0) r.fail("warp_direction", "must not be zero");
+  if (length(b.warpDirection) == 0) r.fail("warp_direction", "must not be zero: expected a direction");
   else if (b.mesh == SheetMesh::Grid && r.has("grid") &&
            std::hypot(b.warpDirection.x, b.warpDirection.y) < warpCosine * length(b.warpDirection))
     r.fail("warp_direction",

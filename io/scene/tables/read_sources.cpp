@@ -12,7 +12,7 @@ template<class Source> void readTimes(TableReader& r, Source& s) {
   readMotion(r, "keyframes; the pose is linear in between and stays after the last", s.motion);
 }
 
-/// Checks what holds for all heat sources, and names those without a name.
+/// Checks the rules of all heat sources, and names those without a name.
 template<class Source>
 void checkSource(TableReader& r, Source& s, const char* kind, const std::vector<Source>& before) {
   if (!r.reading()) return;
@@ -26,7 +26,7 @@ void require(TableReader& r, const char* key) {
 
 void readDirection(TableReader& r, Vec3d& direction, const char* about) {
   r.vector("direction", direction, "", about);
-  if (r.reading() && length(direction) == 0) r.fail("direction", "must not be zero");
+  if (r.reading() && length(direction) == 0) r.fail("direction", "must not be zero: expected a direction");
 }
 
 /// Refuses keys that the lamp's kind does not have. Requires those that it needs.

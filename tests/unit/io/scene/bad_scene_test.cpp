@@ -86,7 +86,8 @@ TEST(BadScene, EveryErrorHasAMessageWithItsPlace) {
        "s.toml:9:15: error: body.block.temperature: must be > 0 K, got \"-300 degC\""},
       {"material = \"jelly\"", "material = \"jely\"",
        "s.toml:11:12: error: body 'block': unknown material 'jely'; did you mean 'jelly'?"},
-      {"material = \"jelly\"\n", "", "s.toml:8:1: error: body 'block': its material is missing"},
+      {"material = \"jelly\"\n", "",
+       "s.toml:8:1: error: body 'block': its material is missing: expected `material`"},
       {"[0.1, 0.1, 0.1]", "[0.1, 0.1]",
        "s.toml:10:16: error: body.block.box.size: expected a list of three quantities such as [0, 0, 0], got "
        "2"},
@@ -97,7 +98,7 @@ TEST(BadScene, EveryErrorHasAMessageWithItsPlace) {
       {"min = [-1, -1, -1]\nmax = [1, 1, 1]", "min = [1, 0, 0]",
        "s.toml:4:7: error: domain.min: must be below `domain.max` along x"},
       {"normal = [0, 0, 1]", "normal = [0, 0, 0]",
-       "s.toml:14:42: error: obstacle.floor.plane.normal: must not be zero"}};
+       "s.toml:14:42: error: obstacle.floor.plane.normal: must not be zero: expected a direction"}};
   for (const auto& t : table) expectOnly(errorsOf(with(t.what, t.by)), t.line);
 }
 

@@ -108,9 +108,11 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
        "s.toml:9:16: error: sheet.0.wrap_in_time: expected a list of at least two pairs [s, number], "
        "such as [[300, 0.5], [400, 0.7]]"},
       {cloth + "warp_in_time = [[0, 1], [1, 2]]\n",
-       "s.toml:8:16: error: sheet.0.warp_in_time: is a factor of warp, which is 0"},
+       "s.toml:8:16: error: sheet.0.warp_in_time: is a factor of warp, which is 0: set `warp` of the "
+       "sheet, or remove the factor"},
       {cloth + "damping = 1\n[[sheet.region]]\nsphere = { radius = 0.1 }\nbending = 3\n",
-       "s.toml:9:1: error: sheet.0.region.0.bending: is a factor of bending, which is 0"},
+       "s.toml:9:1: error: sheet.0.region.0.bending: is a factor of bending, which is 0: set "
+       "`bending` of the sheet, or remove the factor"},
       {cloth + "warp = 1\nwarp_in_time = [[0, 1], [1, -2]]\n",
        "s.toml:9:29: error: sheet.0.warp_in_time: must be >= 0, got -2"},
       {cloth + "mass = 0\nstiffness = 1\n[[sheet.brush]]\npressure = [0, 0, 1]\n",
@@ -121,7 +123,7 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
        "contact with obstacles: expected mass, or damping at all times"},
       {cloth + "mass = 0\ndamping = 1\nwarp = 1\ndamping_in_time = [[0, 1], [1, 0]]\n",
        "s.toml:8:8: error: sheet 'sheet 0': mass: mass, damping and stiffness must not all be zero at the "
-       "same time"},
+       "same time: set one"},
       {cloth + "stiffness = 1\nwarp = 2\n[[sheet.region]]\nsphere = { radius = 0.1 }\nmass = 0\n",
        "s.toml:10:1: error: sheet 'sheet 0': this region: a massless, undamped vertex has no stable step "
        "under forces of its neighbours: expected mass, or damping at all times"},
@@ -129,7 +131,8 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
        "s.toml:10:1: error: sheet 'sheet 0': this region: the air's drag on vertices without mass has no "
        "stable step: expected mass > 0, or `wind_density = 0` there"},
       {patch + "[[oriented.event]]\nkind = \"weld\"\n",
-       "s.toml:9:1: error: oriented.a.event.0.other: is missing: the body to weld to this one"},
+       "s.toml:9:1: error: oriented.a.event.0.other: is missing: expected the name of the body to weld "
+       "to this one"},
       {patch + "growth = \"borders\"\n",
        "s.toml:9:10: error: oriented.a.growth: growth at open borders is unbounded unless `thin` below 1 or "
        "the `points` of a closed surface define the body: expected one of these, \"gaps\", or `most`, the "
