@@ -23,7 +23,7 @@ def cutShort(path: pathlib.Path) -> None:
 def test_what_is_no_run_is_refused(tmp_path: pathlib.Path, drops: str) -> None:
     with pytest.raises(thaw.FileError, match='no such folder'):
         thaw.open(tmp_path / 'missing')
-    with pytest.raises(thaw.FileError, match='no run folder'):
+    with pytest.raises(thaw.FileError, match='not a run folder'):
         thaw.open(tmp_path)
     (tmp_path / 'lock').write_text('')  # a run that is being set up
     assert len(thaw.open(tmp_path).frames) == 0 and thaw.open(tmp_path).running is None

@@ -39,7 +39,7 @@ class Checkpoint:
         with self._hdf.open() as file:
             about = dict(file['checkpoint'].attrs) if 'checkpoint' in file else {}
             if 'format' not in about:
-                raise FileError(path, 'is no checkpoint')
+                raise FileError(path, 'is not a checkpoint; expected a.hdf or b.hdf of a folder checkpoint/')
             if about['format'] != FORMAT:
                 raise FileError(
                     path, f'has checkpoint format {about["format"]}; this version reads format {FORMAT}'

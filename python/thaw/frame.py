@@ -72,7 +72,7 @@ class Sheets(BodyPoints):
         with self._hdf.open() as file:
             types, corners = file['VTKHDF/Types'][()], file['VTKHDF/Connectivity'][()]
         if (types != TRIANGLE).any() or len(corners) != 3 * len(types):
-            raise FileError(self.path, 'is damaged: its cells are no triangles')
+            raise FileError(self.path, 'is damaged: its cells are not triangles')
         if len(corners) and not 0 <= corners.min() <= corners.max() < head.count:
             raise FileError(self.path, 'is damaged: a triangle has a vertex that does not exist')
         return corners.reshape(-1, 3)

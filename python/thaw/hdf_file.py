@@ -133,7 +133,7 @@ class HdfFile:
         except (ThawError, MemoryError):
             raise
         except Exception as error:  # h5py raises many types for damaged files
-            raise FileError(self.path, f'is damaged, or no file of thaw: {error}') from error
+            raise FileError(self.path, f'is damaged, or not a file of thaw: {error}') from error
 
     def check(self) -> None:
         try:
@@ -147,7 +147,7 @@ class HdfFile:
             now = (about.st_ino, about.st_size, about.st_mtime_ns)
             if self.seen is None:
                 if not Trailer(self.path, fd).check() and os.pread(fd, 8, 0) != b'\x89HDF\r\n\x1a\n':
-                    raise FileError(self.path, 'is damaged, half written, or no file of thaw')
+                    raise FileError(self.path, 'is damaged, half written, or not a file of thaw')
                 self.seen = now
             elif now != self.seen:
                 raise FileError(

@@ -70,7 +70,10 @@ def readRows(path: str) -> Tuple[List[str], List[List[str]]]:
     rows = [line.split(',') for line in lines[1:]]
     for number, row in enumerate(rows, 2):
         if len(row) > len(names):
-            raise FileError(f'{path}:{number}', f'{len(row)} values for {len(names)} columns')
+            raise FileError(
+                f'{path}:{number}',
+                f'has {len(row)} values; expected at most {len(names)}, one for each column',
+            )
         row += [''] * (len(names) - len(row))
     return names, rows
 

@@ -97,7 +97,7 @@ def meshOf(read: Dict[str, np.ndarray], labels: List[int], path: str) -> Mesh:
 
     vertex, face, edge = read['vertex'], read['face'], read.get('edge')
     if len(face) and (face['corners'] != 3).any():
-        raise FileError(path, 'has faces that are no triangles; expected a file of `thaw export --as ply`')
+        raise FileError(path, 'has faces that are not triangles; expected a file of `thaw export --as ply`')
     ids = None
     if 'id_high' in (vertex.dtype.names or ()):
         ids = vertex['id_high'].astype(np.uint64) << np.uint64(32) | vertex['id_low'].astype(np.uint64)
@@ -131,7 +131,7 @@ def findProgram(purpose: str = '') -> str:
     if found:
         return found
     raise ProgramError(
-        f'THAW_PROGRAM names {given}, which is no program'
+        f'THAW_PROGRAM names {given}, which is not a program; expected the path of thaw'
         if given
         else f'the program thaw is needed {purpose}: put it on PATH, or name it in THAW_PROGRAM'
         if purpose

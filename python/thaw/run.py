@@ -41,7 +41,7 @@ class Run:
             raise FileError(self.path, noFolder(self.path))
         found = findFrames(self._file('frames'), self._asked_scene)
         if not found.name and not any(os.path.exists(self._file(f)) for f in SIGNS):
-            raise FileError(self.path, 'is no run folder: expected frames/, checkpoint/ or summary.json')
+            raise FileError(self.path, 'is not a run folder: expected frames/, checkpoint/ or summary.json')
         self._logs = {}
         self._summary: Optional[Summary] = None
         self._newest: Optional[Checkpoint] = None
@@ -179,14 +179,13 @@ class Run:
 def noFolder(path: str) -> str:
     """Why a path is no run."""
     if not os.path.exists(path):
-        return 'no such folder; expected the folder of a run, as out/NAME'
-    return (
-        f'is a file; expected the folder of a run, as {os.path.dirname(os.path.dirname(path)) or "out/NAME"}'
-    )
+        return 'no such folder; expected the folder of a run, such as out/NAME'
+    folder = os.path.dirname(os.path.dirname(path)) or 'out/NAME'
+    return f'is a file; expected the folder of a run, such as {folder}'
 
 
 def openRun(path: 'str | os.PathLike[str]', scene: Optional[str] = None) -> Run:
-    """Opens the folder of a run, as out/melt: finished, still running, or with a checkpoint alone.
+    """Opens the folder of a run, such as out/melt: finished, still running, or with a checkpoint alone.
 
     scene: name of the scene, for a folder that has frames of several.
     Raises FileError if the folder is missing or has no results of thaw.

@@ -131,7 +131,7 @@ class Scene(metaclass=_Completed):
         elif isinstance(table, dict):
             table[last] = value
         else:
-            raise KeyError(f"'{key}': '{'.'.join(tables)}' is no table of the scene, but {table!r}")
+            raise KeyError(f"'{key}': '{'.'.join(tables)}' is not a table of the scene, but {table!r}")
 
     def _editable(self) -> dict[str, Any]:
         return self.overrides if self.keys is None else self.keys
@@ -228,7 +228,7 @@ def _place(table: Any, part: str, key: str) -> Any:
             return int(part)
         known = ", ".join(str(n) if n else str(k) for k, n in enumerate(names))
         raise KeyError(f"'{key}': the list has no entry '{part}'; expected a name or number of: {known}")
-    raise KeyError(f"'{key}': no key '{part}' in {table!r}, which is no table of the scene")
+    raise KeyError(f"'{key}': no key '{part}' in {table!r}, which is not a table of the scene")
 
 
 def _key(name: Any) -> str:

@@ -277,7 +277,7 @@ class Simulation:
         Raises thaw.FieldError for an unknown table or field.
         """
         if by != "id":
-            raise ValueError("rows are sorted by id: by='id'")
+            raise ValueError(f"by: expected 'id', by which rows are sorted, got {by!r}")
         if field not in self.fields(table):
             raise unknownName(field, self.fields(table), f"table '{table}'")
         return self._core.gather(table, field)

@@ -35,7 +35,7 @@ def readSummary(path: str) -> Summary:
     except ValueError as error:
         raise FileError(path, f'is not JSON: {error}') from error
     if not isinstance(summary, Summary):
-        raise FileError(path, 'is no summary of a run; expected an object of JSON')
+        raise FileError(path, 'is not a summary of a run; expected an object of JSON')
     summary._path = path
     return summary
 
