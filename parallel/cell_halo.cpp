@@ -139,7 +139,7 @@ void MpiCellHalo::beginGhosts(Table&, const CellTable& cells, std::span<AnyColum
   for (Neighbour& n : neighbours_) sendGhosts(n, cells);
 }
 
-// Both ends store the receiver's buffer size. Of a larger message, the head is sent first, then all of it.
+// Both ends store the receiver's buffer size. Before a larger message, its head is sent alone.
 void MpiCellHalo::sendGhosts(Neighbour& n, const CellTable& cells) {
   CellCopies& c = n.copies;
   listCopies(grid_, cells, boundary_, c);

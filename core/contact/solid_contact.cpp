@@ -60,7 +60,7 @@ void addSolidContacts(const ContactContext& x, const ClosePairs& pairs, Continuu
     const double r = length(d);
     if (r >= d0) continue;
     Elastic a = elasticOf(x.scene, p, i), b = elasticOf(x.scene, p, j);
-    // As between two elastic particles, so that the limit of the step holds.
+    // A rigid particle counts as stiff as its elastic partner, so that the step limit of contacts holds.
     if (rigid) a.stiffness = b.stiffness;
     if (rigidOther) b.stiffness = a.stiffness;
     const double k = 2 * a.stiffness * b.stiffness / (a.stiffness + b.stiffness);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stiffness with which a solid resists what touches it.
+// Stiffness of a solid in contacts.
 #pragma once
 #include <algorithm>
 

@@ -257,7 +257,7 @@ void searchNeighbours(const SearchInput& in, Part part, SearchBuffers& b, Neighb
       continue;
     const Surroundings around = findSurroundings(in, c, rows, b);
     if (b.entry.size() < around.candidates + 32) growSearch(b, around.candidates + 32);
-    // Many short rounds are faster to copy first.
+    // If there are many short rounds, it is faster to copy the candidates first.
     const bool direct = canPickDirect && around.rounds <= around.candidates / 32 + 6;
     if (!direct) {
       std::uint32_t candidates = 0;

@@ -183,7 +183,7 @@ int findPhases(Finder& f, std::vector<bool>& used) {
   return solidBodies;
 }
 
-/// Activates what the liquid of a material needs, if the scene can have it.
+/// Activates the modules that the liquid of a material needs, if the scene can have such liquid.
 void findLiquidLaws(Finder& f, const Material& x, const std::string& who) {
   const Numerics& n = f.s.numerics;
   Modules& m = f.m;
@@ -226,7 +226,7 @@ void findHeatLaws(Finder& f, const Material& x, const std::string& who) {
                   : "its weight acts, too (`numerics.buoyancy = \"density\"`)"));
 }
 
-/// Activates what the solid of a material needs.
+/// Activates the modules that the solid of a material needs.
 void findSolidLaws(Finder& f, const Material& x, const std::string& who) {
   Modules& m = f.m;
   if (!m.solid || !x.canBeSolid()) return;

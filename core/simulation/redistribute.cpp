@@ -78,8 +78,8 @@ void findCells(World& w, std::vector<std::uint32_t>& leaving, bool keys, bool op
   }
 }
 
-/// Records what leaves the domain. Velocities are those of the half step; the kinetic energy is that after
-/// the second half kick, as of the particles that stay.
+/// Records the particles that leave the domain. Their velocities are those of the half step. Their kinetic
+/// energy is that after the second half kick, as for the particles that stay.
 void recordLeaving(World& w, const StepTools& t, double dt) {
   const Continuum& p = w.particles;
   findStoredEnergy(w, t, t.leaving);
@@ -99,7 +99,7 @@ void addLeaving(std::span<const std::uint32_t> rows, Continuum& p, std::vector<s
   leaving = std::move(all);
 }
 
-/// Records what emitted particles, the last owned rows, bring into the domain.
+/// Records mass, momentum and energy of emitted particles, the last owned rows, as entered.
 void recordEmitted(World& w, StepTools& t, std::size_t emitted) {
   const Continuum& p = w.particles;
   std::vector<std::uint32_t> fresh;

@@ -256,7 +256,7 @@ void chooseAwakeGroups(const Continuum& p, const Solids& solids, ElasticWork& e,
 
 void recordConstraintForces(Continuum& p, const Scene& scene, const SleepWork& sleep) {
   for (std::size_t i = 0; i < p.owned; i++)
-    // Independent of what this rank recomputes.
+    // Unlike `skipped`, `steady` does not depend on the number of ranks.
     if (p.sleep[i] != awake && !sleep.steady[i]) p.constraintForce[i] = balancing(p, scene, i);
 }
 

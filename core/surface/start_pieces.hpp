@@ -10,9 +10,10 @@
 
 namespace thaw {
 
-/// Returns bodies, ascending, with unconnected particles less than two spacings apart, and the number of such
-/// adjacent pieces. No layer of the lattice is missing between them. Connections are chains of links
-/// (surface.link_length). Requires: gathered particles without components, which it leaves so. Collective.
+/// Returns bodies, ascending, with adjacent pieces, and the number of these. Pieces are sets of particles
+/// that no chain of links (surface.link_length) connects; adjacent ones are less than two spacings apart, so
+/// no layer of the lattice is missing between them. Requires: gathered particles without components. Ensures:
+/// they still have none. Collective.
 std::vector<BodyPieces> findStartPieces(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tools);
 
 }  // namespace thaw

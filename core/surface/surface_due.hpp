@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Schedule of surface updates: at every frame, every so many steps, or after a given motion. The same on all
-// ranks.
+// Schedule of surface updates: at every frame, after a number of steps, or after a given motion. It is the
+// same on all ranks.
 #pragma once
 #include "core/neighbours/grid.hpp"
 #include "core/particles/continuum.hpp"

@@ -90,7 +90,7 @@ void splitAndMerge(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& tools
   s.changesBefore = s.counters.splits + s.counters.merges;
   const std::vector<SurfaceComponent> before = s.components;
   labelParticles(w, halos, tools);
-  // The split dropped them.
+  // splitComponents has removed the ghosts of surfels.
   addSurfelGhosts(s, halos);
   if (t.components.several()) {
     addGhosts(halos.particles, s.particles, s.particleCells,

@@ -40,7 +40,7 @@ inline constexpr std::int64_t checkpointFormat = 8;
 /// Further values of a run as texts, by name.
 using CheckpointValues = std::map<std::string, std::string>;
 
-/// State of a surface beside its surfels; the same on all ranks.
+/// State of a surface besides its surfels; the same on all ranks.
 struct SurfaceRecord {
   bool there = false;
   std::int64_t lastStep = -1;

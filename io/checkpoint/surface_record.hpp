@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// State of a surface in a checkpoint, beside its surfels.
+// State of a surface in a checkpoint, besides its surfels.
 #pragma once
 #include "io/checkpoint/checkpoint.hpp"
 

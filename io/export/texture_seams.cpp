@@ -9,7 +9,7 @@ namespace thaw {
 
 namespace {
 
-/// Edges longer in the texture than this times the median one cross a seam.
+/// An edge crosses a seam if its length in the texture exceeds this times the median.
 constexpr float seamLength = 6;
 
 float lengthBetween(const Uv& a, const Uv& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }

@@ -29,7 +29,7 @@ struct VtkHdfFrame {
   std::vector<std::int64_t> ids;      ///< ids of particles; -1 for vertices of meshes
 };
 
-/// Returns the meshes at their places, then the particles. Thread-safe.
+/// Returns the meshes in their poses, then the particles. Thread-safe.
 VtkHdfFrame vtkHdfFrameOf(const ExportScene& scene);
 
 /// Returns the size in bytes of a series of `frames` frames like this one: all chunks of its datasets.

@@ -25,8 +25,8 @@ void addSheetFields(const World& world, Frame& frame);
 /// Collective.
 void addSheetTriangles(SheetBodies& sheets, BondHalo& edges, std::uint64_t firstRow, Frame& frame);
 
-/// Returns what the points of a frame are: "particles", "surfels", "oriented" or "sheet". Frames of the last
-/// two have a field "<type>_body".
+/// Returns the type of the points of a frame: "particles", "surfels", "oriented" or "sheet". Frames of the
+/// last two have a field "<type>_body".
 std::string pointTypeOf(const H5File& file);
 
 }  // namespace thaw

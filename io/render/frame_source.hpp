@@ -39,7 +39,7 @@ std::vector<std::string> fieldsOf(const std::filesystem::path& frame, bool withS
 FrameView readFrameView(const std::filesystem::path& frame, const std::string& field,
                         const PeriodicSides& sides = {}, const SprayStyle& spray = {});
 
-/// Appearance of what a frame contains.
+/// Appearance of the contents of a frame.
 struct ViewStyle {
   OrientedLook look = OrientedLook::Mesh;
   float spacing = 0;  ///< m, of the particles

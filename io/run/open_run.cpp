@@ -39,7 +39,7 @@ std::vector<std::string> prepareRun(Run& r, const MeshLoader& load) {
   return slow;
 }
 
-/// Prints what the scene is made of, and its warnings.
+/// Prints the contents of the scene and its warnings.
 void describe(Run& r) {
   const char* launched = std::getenv("OMPI_COMM_WORLD_SIZE");
   int world = 0;

@@ -56,7 +56,7 @@ void removeFramesAfterSnapshot(Run& r) {
   if (r.history) r.history->removeAfter(r.world.clock.step);
 }
 
-/// Returns what was tried before the run gives up and why it does not try again, or "".
+/// Returns the attempted retries and the reason for no further one; "" without retries.
 std::string triedText(const Run& r, const MonitorState& watch) {
   const Numerics& n = r.world.scene.numerics;
   if (!retries(r) || n.retries == 0) return "";

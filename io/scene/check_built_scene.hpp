@@ -7,8 +7,8 @@
 
 namespace thaw {
 
-/// Checks values by the ranges of scene files, references to materials, and what concerns several tables.
-/// name: of the scene, for messages without a place. Throws SceneErrors.
+/// Checks values by the ranges of scene files, references to materials, and rules across tables.
+/// name: the scene's, for messages without a place. Throws SceneErrors.
 void checkBuiltScene(Scene scene, const std::string& name);
 
 }  // namespace thaw

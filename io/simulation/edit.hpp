@@ -21,7 +21,7 @@ Edit startEdit(const Continuum& particles);
 /// Returns whether a row of this rank differs from its value at the start.
 bool isEdited(const Continuum& particles, const Edit& edit);
 
-/// Returns what is wrong with the first refused row of this rank, or "". Refused are values that are not
+/// Returns the error of the first refused row of this rank, or "". Refused are values that are not
 /// finite, and temperatures below 0 K.
 std::string editProblem(const Continuum& particles, const Edit& edit);
 

@@ -28,8 +28,8 @@ struct ProgramCalls {
   int depth = 0;  ///< above 0 within a phase of a step, where rows are in use
 };
 
-/// Returns the calls of the simulation that this thread runs. Functions of extensions know no other way to
-/// it.
+/// Returns the calls of the simulation that this thread runs. Functions of extensions reach it
+/// only in this way.
 ProgramCalls& currentCalls();
 
 /// Makes `calls` the current ones during its life.

@@ -12,8 +12,8 @@
 namespace thaw {
 namespace {
 
-/// Moment at a wall, with 1 along the normal. The sums contain only liquid neighbours, as the gradient does
-/// along the wall. Along the normal the wall's push already balances a uniform pressure.
+/// Moment at a wall, with 1 along the normal. The sums and the gradient contain only liquid neighbours
+/// along the wall. Along the normal, the wall's force balances a uniform pressure.
 Sym3d alongWall(const Sym3d& moment, const Vec3d& n) {
   const Vec3d m = moment * n;
   const Vec3d k = m - n * (0.5 * (dot(n, m) + 1));  // M - n m^T - m n^T + (n.m + 1) n n^T

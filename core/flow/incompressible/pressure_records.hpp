@@ -6,7 +6,7 @@
 namespace thaw {
 
 /// Packs 1/m (1/kg) of rows [0, rows) into pressurePhaseHeat.c, 0 for clamped and driven particles. It
-/// replaces the temperature, which is no longer needed.
+/// overwrites the temperature, which nothing reads after the forces.
 void packMobility(const RecordContext& context, const Continuum& particles, std::size_t rows,
                   PairRecords& records);
 

@@ -37,7 +37,7 @@ struct PairForceKernels {
   double (*energy)(const PairConstants&, const PairPoint&) = nullptr;  ///< J, of a pair
 };
 
-/// Rows of which a pair force packs values.
+/// Rows whose values a pair force packs.
 struct PairPacking {
   const Scene& scene;
   const ExtensionSettings& settings;

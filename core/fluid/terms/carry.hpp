@@ -236,9 +236,9 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
   /// Drift correction: change of the carried relative density in this step towards the summed one.
   /// Shifting, splashing and clipped tension move particles without changing the carried density.
   /// Inside the liquid the correction is slow, so that disorder causes no pressure noise; it never makes
-  /// tension. Next to the free surface it only counts what the truncated sum cannot explain, such as voids of
-  /// a splash. An excess above `tolerated` decays faster, also at the surface. off: summed less carried
-  /// relative density; steps: c dt / h.
+  /// tension. Next to the free surface it only counts the part that the truncated sum cannot explain, such as
+  /// voids of a splash. An excess above `tolerated` decays faster, also at the surface. off: summed less
+  /// carried relative density; steps: c dt / h.
   THAW_INLINE Wide driftCorrection(Wide off, Wide carried, Wide steps) const {
     constexpr double perStep = 0.01, crowdedPerStep = 0.05, tolerated = 0.03, truncated = 0.1;
     const Wide zero(0.0), one(1.0), beside = widen(besideSurface), at = widen(atSurface);

@@ -12,7 +12,7 @@ struct LightReceived {
   std::vector<double> lamps, lasers;
 };
 
-/// Distributes the light of the step of length dt (s) that begins now, and records what the sources give in
+/// Distributes the light of the step of length dt (s) that begins now, and records the emitted energy in
 /// the ledger. Collective.
 LightReceived receiveLight(const HeatSourceView& view, double dt, Reducer& all);
 

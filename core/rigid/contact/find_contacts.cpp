@@ -91,7 +91,7 @@ struct Search {
   std::vector<FoundContact> found;
 };
 
-/// Fills in what all contacts of a particle share.
+/// Returns the common part of all contacts of a particle.
 FoundContact startOf(const Search& s, std::uint32_t i, const ElementContact& e) {
   const Continuum& p = s.in.particles;
   FoundContact f;

@@ -25,7 +25,7 @@ struct ContactSearch {
   double step;  ///< s, the next one
 };
 
-/// A contact and what it belongs to.
+/// A contact with its pieces and particles.
 struct FoundContact {
   RigidContact contact;
   std::uint64_t pieceA = 0;    ///< piece of a

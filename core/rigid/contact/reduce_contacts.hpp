@@ -14,8 +14,8 @@ std::uint32_t directionBin(const Vec3d& normal);
 
 /// Keeps the deepest contact of each pair of pieces and bin of normals, and those that are outermost in eight
 /// directions along the surface. Closed and open gaps are separate. Forces along a common normal have
-/// the same torques from the outline as from the whole patch. Patches of a piece that lies on several ranks
-/// are compared over these. spacing: m. Collective.
+/// the same torques from the outline as from the whole patch. Ranks that share a piece compare its contacts.
+/// spacing: m. Collective.
 void reduceContacts(std::vector<FoundContact>& contacts, const Pieces& pieces, double spacing, Reducer& all);
 
 }  // namespace thaw

@@ -89,7 +89,7 @@ int correctOverlap(ContactSystem& system, const ContactSettings& settings, const
     target[i] = overlap > 0 ? std::min(settings.correction * overlap, settings.mostCorrection) / settings.step
                             : -std::max(0.0, gap) / settings.step;
   }
-  // Later steps correct what is left. Between obstacles that leave no room, no displacement removes all.
+  // Later steps correct the rest. Between obstacles without room for a piece, some overlap always remains.
   constexpr int mostIterations = 50;
   const double tolerance = std::max(settings.tolerance, 1e-2 * velocity.deepest / settings.step);
   std::vector<RowChange> moves;

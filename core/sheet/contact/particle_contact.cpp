@@ -6,7 +6,7 @@
 namespace thaw {
 namespace {
 
-// Ratio of the rate to c/s. Half of it would reduce vibration of light vertices slightly.
+// Contact rate over the liquid's speed of sound per spacing.
 constexpr double asLiquid = 1;
 
 }  // namespace

@@ -33,7 +33,7 @@ double ownOf(const SheetBodies& sheets, const Scene& scene, SheetFactor f, std::
          sheets.laws[s.law[i]].factor[placeOf(f)];
 }
 
-/// Sum of half of both ends' stiffness: now, and the largest until the end of the next step for the slope.
+/// Mean stiffness of both ends: at present, and the largest until the end of the next step for the slope.
 struct PairSpring {
   double own, stiffness, later;
 };

@@ -13,7 +13,7 @@
 
 namespace thaw {
 
-/// References to data of the run; a const view still allows changes of what is not const here.
+/// References to data of the run; a const view still allows changes of data that is not const here.
 struct SheetView {
   SheetBodies& sheets;
   Continuum& particles;

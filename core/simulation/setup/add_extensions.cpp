@@ -15,7 +15,7 @@ const Extension& extensionOf(const std::string& name) {
   return *e;
 }
 
-/// Adds a line of the run's description for an extension that is not in it.
+/// Adds an extension to the list of active modules and their reasons, unless the list has it.
 void describe(Modules& modules, const Extension& e) {
   const std::string line = "extension '" + e.name + "': " + e.about;
   std::vector<std::string>& why = modules.why;

@@ -18,7 +18,7 @@ using SampleBytes = std::function<double(const ExportScene& scene, double frames
 /// A file that is removed at the end.
 struct SampleFile {
   std::filesystem::path path;
-  /// Returns a name beside the file that an export writes.
+  /// Returns a name in the folder of the file that an export writes.
   explicit SampleFile(const std::filesystem::path& beside)
       : path(beside.parent_path() / fmt::format(".{}.sample", beside.filename().string())) {}
   ~SampleFile() {

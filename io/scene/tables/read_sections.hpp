@@ -13,7 +13,7 @@ struct MaterialName {
   bool reported = false;
 };
 
-/// State of reading beside the scene: names that refer to other tables, which checkScene resolves.
+/// State of reading besides the scene: names that refer to other tables, which checkScene resolves.
 struct SceneReading {
   Scene* scene = nullptr;
   SourcePlace start;  ///< start of the file, for errors without a place
@@ -77,7 +77,7 @@ void checkCurvature(const Scene& scene, const SourcePlace& where, std::vector<Sc
 /// Chooses numerics.buoyancy where it is automatic. Where the hydrostatic part is subtracted, gravity becomes
 /// Domain::buoyantGravity.
 void chooseBuoyancy(Scene& scene);
-/// Refuses what does not work with rigid materials.
+/// Refuses settings that do not work with rigid materials.
 void checkRigid(const SceneReading& reading, std::vector<SceneError>& errors);
 /// Checks sheets in the same way.
 void checkSheets(const Scene& scene, std::vector<SceneError>& errors);

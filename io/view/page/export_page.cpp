@@ -142,7 +142,7 @@ std::string sizeText(std::uint64_t bytes) {
   return b < 1e6 ? fmt::format("{:.0f} kB", b / 1e3) : fmt::format("{:.3g} MB", b / 1e6);
 }
 
-/// Returns a text of what is left out, or "".
+/// Returns a text about omitted tensors, frames and points, or "".
 std::string leftOut(const Source& from, const Encoded& all, std::size_t kept, const Thinning& t) {
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };

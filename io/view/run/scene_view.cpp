@@ -119,7 +119,7 @@ Packet obstacleMeshes(const Scene& scene) {
                   {"colour", colourJson(obstacle.colour)}};
     try {
       addObstacle(obstacle, entry, vertices, triangles);
-    } catch (const std::exception& error) {  // a mesh that is no longer there, on another machine
+    } catch (const std::exception& error) {  // a mesh that is missing, for example on another machine
       entry["problem"] = error.what();
     }
     packet.header["obstacles"].push_back(entry);
