@@ -23,7 +23,8 @@ namespace {
 // the mean over neighbours.
 constexpr double leastExposure = 0.05, noise[2] = {0.4, 0.7}, meanNoise[2] = {0.06, 0.12};
 
-/// Largest part of its absolute temperature that a particle loses in a step by a rate that cold does not end.
+/// Largest fraction of its absolute temperature that a particle loses in a step, where its rate of
+/// evaporation is not 0 at any temperature.
 constexpr double mostCooling = 0.1;
 
 double ramp(double x, const double (&between)[2]) {

@@ -17,8 +17,8 @@ double latticeLaplacian(const Numerics& numerics);
 double conductionScale(const Numerics& numerics);
 
 /// Weight of the pairwise viscosity for the scene's support, such that sliding layers of the lattice have the
-/// scene's viscosity. A second parameter could make it exact on the lattice at rest along axes and diagonals.
-/// Flow, which leaves the lattice, would then be 4 % too fast at h = 2 dx (benchmark poiseuille).
+/// scene's viscosity. It has no second parameter for the lattice at rest, since flow leaves that lattice and
+/// would be 4 % too fast at h = 2 dx (benchmark poiseuille).
 ViscousWeight viscousWeight(const Numerics& numerics);
 
 /// Largest sum of V W while layers of the lattice slide along their axes or diagonals; at least latticeSum.

@@ -126,7 +126,7 @@ bool replace(const std::string& path, const LockHolder& old, const std::string& 
   return std::string{std::istreambuf_iterator<char>(last), {}} == text;
 }
 
-/// Makes a folder with those around it. Returns those that did not exist, the innermost first.
+/// Makes a folder and its missing parents. Returns the new folders, the innermost first.
 std::vector<std::string> makeFolders(const std::string& folder) {
   std::vector<std::string> made;
   std::error_code error;

@@ -47,7 +47,7 @@ void finishRow(void* context, std::uint32_t row, const ShearMoments& sums) {
   const FlowCoefficients law = flowCoefficients(w.scene.materials[k].flowLaw, x.leastRate[k],
                                                 p.temperature.active ? p.temperature[row] : 0);
   double viscosity = apparentViscosity(law, rate);
-  // In steady shear a step maps an error of the viscosity to 1 - n times that of the last step.
+  // In steady shear, each step multiplies an error of the viscosity by 1 - n.
   if (const double old = static_cast<double>(p.apparentViscosity[row]); law.exponent > 1 && old > 0)
     viscosity = old * std::pow(viscosity / old, 1 / law.exponent);
   p.apparentViscosity[row] = static_cast<float>(viscosity);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Repair of triangles from a file to the surface of a solid or to an open surface.
+// Repairs the triangles of a file, so that they form the surface of a solid or an open surface.
 #pragma once
 #include <cstdint>
 #include <string>

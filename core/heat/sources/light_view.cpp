@@ -27,7 +27,7 @@ std::array<Vec3d, 8> cornersOf(const Bounds& b) {
   return corners;
 }
 
-/// Sets the cells of [low, high], doubling their width until a view has few enough.
+/// Sets the cells of [low, high]. Doubles their width while a view has too many.
 bool setCells(LightView& v, const std::array<double, 2>& low, const std::array<double, 2>& high) {
   if (!(high[0] > low[0] && high[1] > low[1])) return false;
   while ((high[0] - low[0]) / v.cell * ((high[1] - low[1]) / v.cell) > mostCells) v.cell *= 2;

@@ -7,7 +7,7 @@
 namespace thaw {
 namespace {
 
-/// Nearest impulse with a normal part that presses and a tangential part within Coulomb's disc.
+/// Returns the nearest impulse whose normal part repels, with a tangential part within Coulomb's disc.
 Vec3d projected(const Vec3d& impulse, const RigidContact& c, double friction) {
   const double normal = std::max(0.0, dot(impulse, c.normal));
   const Vec3d tangential = impulse - dot(impulse, c.normal) * c.normal;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Friction between nearest points at a distance, of a sheet's vertices with each other or with a particle.
-// Two opposite forces at a distance are a torque. The four points take it back as a rigid body, and their
-// rigid rotation is not sliding. So angular momentum is conserved, and the power, friction times sliding, is
-// never a gain.
+// Two opposite forces at a distance exert a torque. Forces on the four points, those of a rigid rotation,
+// balance it, and this rotation does not count as sliding. Angular momentum is therefore conserved, and the
+// power, friction times sliding, is never a gain.
 #pragma once
 #include <array>
 

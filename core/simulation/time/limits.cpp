@@ -134,7 +134,7 @@ double flowLawStepLimit(const Scene& s, const Material& m) {
 namespace {
 
 /// Largest viscosity (Pa s) of owned particles of a material with a table or a flow law. Single particles
-/// count, since pairs on this rank may not be pairs on another. A small change of the rate changes the stress
+/// count, since the pairs of a rank depend on the partition. A small change of the rate changes the stress
 /// of a flow law by d stress / d rate, up to n times the viscosity.
 double largestViscosityHere(const World& w, std::size_t material) {
   const Continuum& p = w.particles;
