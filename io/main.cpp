@@ -80,7 +80,7 @@ void checkOptions(const CLI::App& app, int argc, char** argv) {
     for (const std::string& name : option->get_lnames()) words.insert("--" + name);
   for (int a = 2; a < argc; a++) {
     const std::string text = argv[a], name = text.substr(0, text.find('='));
-    if (name == "--") return;  // The others are no options.
+    if (name == "--") return;  // The others are not options.
     if (name.rfind("--", 0) == 0 && !words.count(name))
       throw CLI::ValidationError(
           name, fmt::format("unknown option of `thaw {}`{}", argv[1], thaw::suggestion(name, words)));

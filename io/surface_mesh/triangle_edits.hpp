@@ -81,11 +81,11 @@ class TriangleEdits {
   /// Replaces an edge by the other diagonal of its quadrangle.
   void flip(std::uint32_t a, std::uint32_t b, const Edge& e);
 
-  /// Returns the third vertex of a neck at an edge: a cycle of three edges that is no triangle. `removed` if
-  /// there is none.
+  /// Returns the third vertex of a neck at an edge: a cycle of three edges that is not a triangle. `removed`
+  /// if there is none.
   std::uint32_t neckAt(std::uint32_t a, std::uint32_t b);
   /// Cuts the mesh along a neck and closes both ends with a triangle. Appends copies of the three vertices,
-  /// in this order. Returns false, without a change, if the edges are no neck.
+  /// in this order. Returns false, without a change, if the edges are not a neck.
   bool cutNeck(const Triangle& neck);
 
   /// Drops removed triangles and unused vertices. Returns the old index of each vertex that is kept.

@@ -97,7 +97,7 @@ class Trailer:
         return True
 
     def checksumBetween(self, rows: Tuple[int, ...], end: int) -> int:
-        """Checksum of the bytes before `end` that are no rows of a dataset."""
+        """Checksum of the bytes before `end` that are not rows of a dataset."""
         sum_ = at = 0
         for first, count in list(zip(rows[::2], rows[1::2])) + [(end, 0)]:
             if first < at or first + count > end:

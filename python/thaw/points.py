@@ -140,7 +140,7 @@ class Points:
             return file[datasetOf(name)][()]
 
     def _unknown(self, name: object) -> FieldError:
-        """The exception for a name that is no field."""
+        """The exception for a name that is not a field."""
         more = OUTPUT_FIELDS if self.kind == 'particles' else ()
         return unknownName(name, self._head().fields, f'{self.path} ({self.kind})', optional=more)
 

@@ -177,7 +177,7 @@ class Run:
 
 
 def noFolder(path: str) -> str:
-    """Why a path is no run."""
+    """Returns the reason why a path is not a run."""
     if not os.path.exists(path):
         return 'no such folder; expected the folder of a run, such as out/NAME'
     folder = os.path.dirname(os.path.dirname(path)) or 'out/NAME'

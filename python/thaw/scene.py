@@ -33,7 +33,7 @@ class _Completed(type):
 
 
 class SceneReport(Mapping):
-    """The result of `Scene.check()`: what `thaw check --json` prints, as a mapping in SI units.
+    """The result of `Scene.check()`: the output of `thaw check --json`, as a mapping in SI units.
 
     True if the scene is usable. errors: list of dicts with file, line, column, message. warnings: texts.
     """

@@ -68,7 +68,8 @@ struct CarriedDensity {
     L r2, q;
     L volume;                   ///< V; negative: one liquid, at the free surface
     L mark;                     ///< Mixed: liquid fraction; negative: at the free surface
-    L compression, difference;  ///< the neighbour's compression, and other - own of what diffuses
+    L compression, difference;  ///< the neighbour's compression, and the difference other - own of the
+                                ///< diffusing quantity
   };
   THAW_INLINE Pair begin(const Data& i, const Data& j) const {
     Pair p;

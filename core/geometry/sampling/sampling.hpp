@@ -10,9 +10,9 @@
 
 namespace thaw {
 
-/// Number of lattice points along a size that is no integer number of spacings. Cover rounds up: points reach
-/// the surface. Fit rounds down: no point is nearer to the surface than half a spacing. Emitted liquid uses
-/// Fit, since Cover would push adjacent liquid away.
+/// Number of lattice points along a size that is not an integer number of spacings. Cover rounds up: points
+/// reach the surface. Fit rounds down: no point is nearer to the surface than half a spacing. Emitted liquid
+/// uses Fit, since Cover would push adjacent liquid away.
 enum class Layers { Cover, Fit };
 
 /// Cubic lattice around the bounding box of a body, centred on it, along the axes of the scene or of the

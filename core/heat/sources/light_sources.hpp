@@ -13,7 +13,7 @@ namespace thaw {
 /// number of the step.
 std::vector<LightSource> lightSources(const Scene& scene, double begin, double end, std::int64_t step);
 
-/// Power (W) that lamps, or lasers, give. A lamp with a direction gives what enters the domain.
+/// Power (W) of lamps, or of lasers. That of a lamp with a direction is the light that enters the domain.
 double givenPower(const LightSource& source, const Domain& domain);
 
 }  // namespace thaw

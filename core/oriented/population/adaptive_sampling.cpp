@@ -66,7 +66,7 @@ bool isNeighbour(const Oriented& o, const PairPotential& p, std::size_t i, std::
 
 /// Returns whether the candidate lies in a gap of width `far` between i and j, where the surface is stretched
 /// or torn. Surfaces at rest or in vibration have none: the gap's sphere or column is occupied, the ring is
-/// full, or a birth costs more than a bond. Particles that fly apart are no surface.
+/// full, or a birth costs more than a bond. Particles that fly apart are not a surface.
 bool isGap(const Oriented& o, const OrientedLists& l, const PairPotential& p, std::size_t i, std::size_t j,
            const BirthCandidate& at, int leastBeside, bool planar) {
   const Vec3d r = o.position[j] - o.position[i], apart = o.velocity[j] - o.velocity[i];

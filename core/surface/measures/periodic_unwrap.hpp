@@ -15,7 +15,7 @@ namespace thaw {
 using Sectors = std::array<std::uint64_t, 3>;
 
 /// Returns the number of sectors of an axis: at most 64, each at least `least` (m) wide, so that an empty
-/// sector is no gap between neighbours.
+/// sector is not a gap between neighbours.
 inline int sectorCount(const CellGrid& g, int axis, double least) {
   return static_cast<int>(std::clamp(g.period[axis] / least, 1.0, 64.0));
 }

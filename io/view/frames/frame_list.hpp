@@ -28,7 +28,7 @@ struct FrameList {
 };
 
 /// Reads the indices of a run's frames. An index that is being replaced or is damaged counts as empty.
-/// Entries that are no plain file names of this run's frames are skipped. Throws IoError if the folder has
+/// Entries that are not plain file names of this run's frames are skipped. Throws IoError if the folder has
 /// frames of several scenes.
 FrameList readFrameList(const std::filesystem::path& run);
 
