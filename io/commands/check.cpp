@@ -145,7 +145,7 @@ void describeStart(const CheckedWorld& c, const SamplingReport& sampled, CheckRe
                           s.materials[static_cast<std::size_t>(s.emitters[e].material)].name,
                           outflowOf(c.t.emitters[e]), c.t.emitters[e].layer.size()});
   r.emitted = emittedAtEnd(s, c.t);
-  r.overlaps = sampled.overlaps;
+  for (const BodyOverlap& pair : sampled.overlaps) r.overlaps.push_back(pair.text);
   r.removed = static_cast<std::int64_t>(sampled.removed);
   r.modules.assign(w.modules.why.begin(), w.modules.why.end());
   if (w.clock.dt < never) r.step = w.clock.dt;
