@@ -18,11 +18,11 @@ struct SamplingReport {
   std::vector<std::int64_t> particles;  ///< by body
   std::vector<std::int64_t> clamped;    ///< clamped particles, by body
   std::vector<BodyOverlap> overlaps;
-  std::int64_t removed = 0;             ///< samples removed by the scene's overlap rule
-  std::vector<Outside> outside;         ///< extent outside of the domain, by body
+  std::int64_t removed = 0;      ///< samples removed by the scene's overlap rule
+  std::vector<Outside> outside;  ///< extent outside of the domain, by body
   std::int64_t inObstacles = 0;
-  std::string firstObstacle;  ///< names, for the message
-  SourcePlace obstacleWhere;  ///< place of the first body with such particles
+  std::string firstObstacle;           ///< names, for the message
+  SourcePlace obstacleWhere;           ///< place of the first body with such particles
   std::vector<SceneWarning> warnings;  ///< about narrow bodies, oriented bodies and sheets, and repairs of
                                        ///< meshes
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <tuple>
 #include <vector>
@@ -133,13 +134,13 @@ TEST(FindContacts, BallsHaveNoHolesInAnyDirection) {
     rig.gravity = {};
     rig.setFriction(0, 0);
     const Vec3d from = normalized(inside), axis = cross(from, {0, 0, 1});
-    const double sine = length(axis), angle = std::atan2(sine, from.z);
+    const double sine = length(axis), angle = std::atan2(sine, from.z), half = std::numbers::pi;
     for (int i = 0; i < 2; i++) {
       rig.pieces.push_back(pieceOf(SphereDistance(0.2), spacing, 1000));
       RigPiece& ball = rig.pieces.back();
       ball.centre = {0, 0, 1 + 0.45 * i};
       ball.velocity = {0, 0, i == 0 ? 0.5 : -0.5};
-      if (sine > 0) ball.orientation = rotationBy(((i == 0 ? angle : angle + 3.14159265358979) / sine) * axis);
+      if (sine > 0) ball.orientation = rotationBy(((angle + i * half) / sine) * axis);
     }
     double deepest = 0;
     for (int n = 0; n < 80; n++) {
