@@ -218,12 +218,18 @@ void estimateCost(CheckedWorld& c, const CheckOptions& o, SurfaceTrial& surface,
                         : testedSuggestions(c.comm, o, w, total, r.warnings);
   // Emitted particles raise memory and run time.
   const double most = total / particles / ranks, mean = (0.5 + 0.5 * total / particles) / ranks;
+  cost.stepping = cost.steps * perStep * size * mean;
+  if (w.modules.rigid)
+    cost.growth = growthOfCoarseRun(c.comm, {o.scene, o.overrides, total}, r.spacing, cost.steps * perStep);
+  if (cost.growth) {
+    cost.steps *= cost.growth->steps;
+    cost.stepping = cost.steps * cost.growth->cost * perStep * size / ranks;
+  }
   cost.ranks = ranks;
   cost.surface = w.modules.surface;
   cost.surfaceBytesPerRank = onSurface.bytes / ranks;
   cost.memoryPerRank = memory * size * most + cost.surfaceBytesPerRank;
   cost.bytesPerParticle = memory * size / particles;
-  cost.stepping = cost.steps * perStep * size * mean;
   cost.surfaceLeast = onSurface.seconds / ranks;
   cost.surfaceMost = onSurface.secondsMost / ranks;
   cost.particleStepsPerSecond = perStep > 0 ? particles / perStep / size : 0;
