@@ -63,7 +63,7 @@ def measure(scene, folder, limit):
 def table(rows):
     """Markdown table of the estimates."""
     lines = [
-        "| scene | steps by the first ones | estimated | run | growth of the cost of a step, estimated | run |",
+        "| scene | steps by the first ones | estimated | run | cost of a step, estimated | run |",
         "|---|---|---|---|---|---|",
     ]
     for r in rows:
