@@ -18,11 +18,15 @@ import subprocess
 import sys
 import tempfile
 
+import estimates
+import melt
 import scenes
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 FIGURES = os.path.join(HERE, "rigid.csv")
+ESTIMATES = os.path.join(HERE, "estimates.csv")
+MELT = os.path.join(HERE, "melt.csv")
 PAGE = os.path.join(ROOT, "docs", "validation", "rigid.md")
 COLUMNS = ["case", "quantity", "value", "exact", "limit", "unit", "cpu_s", "iterations", "unfinished"]
 GRAVITY = 9.81
@@ -147,7 +151,7 @@ def pile(folder, pieces, seconds):
             yield run.row(name, "particles asleep", share, 1, 0, "")
 
 
-def page(rows):
+def page(rows, estimated, melted):
     lines = [
         "# Rigid pieces",
         "",
@@ -176,6 +180,19 @@ def page(rows):
         "- **stack**: ten boxes turned against each other, 10 s.",
         "- **pile**: boxes and balls of 20 to 36 particles fall into a bin, for 6 s.",
         "",
+        "## Time of a soft scene that melts",
+        "",
+        *melt.lines(melted),
+        "",
+        "## Estimates of thaw check",
+        "",
+        "`thaw check` runs scenes with rigid solids at a larger spacing. It multiplies the number of steps",
+        "that it expects by the first ones, and their cost, by the growth in that run. The cost is the",
+        "processor time of a step over that at the start.",
+        "",
+        *estimates.table(estimated),
+        "",
+        "`benchmarks/rigid/estimates.py` and `melt.py` make runs for `estimates.csv` and `melt.csv`.",
         "`benchmarks/rigid/rigid.py --page` writes this page from `benchmarks/rigid/rigid.csv`.",
     ]
     return "\n".join(lines) + "\n"
@@ -191,8 +208,12 @@ def main():
     parser.add_argument("--seconds", type=float, default=6)
     o = parser.parse_args()
     if o.page:
-        with open(FIGURES) as source, open(PAGE, "w") as target:
-            target.write(page(list(csv.DictReader(source))))
+        tables = []
+        for path in (FIGURES, ESTIMATES, MELT):
+            with open(path) as source:
+                tables.append(list(csv.DictReader(source)))
+        with open(PAGE, "w") as target:
+            target.write(page(*tables))
         return
     if not o.csv:
         parser.error("needs --csv FILE or --page")

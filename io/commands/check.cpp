@@ -145,7 +145,7 @@ void describeStart(const CheckedWorld& c, const SamplingReport& sampled, CheckRe
                           s.materials[static_cast<std::size_t>(s.emitters[e].material)].name,
                           outflowOf(c.t.emitters[e]), c.t.emitters[e].layer.size()});
   r.emitted = emittedAtEnd(s, c.t);
-  r.overlaps = sampled.overlaps;
+  for (const BodyOverlap& pair : sampled.overlaps) r.overlaps.push_back(pair.text);
   r.removed = static_cast<std::int64_t>(sampled.removed);
   r.modules.assign(w.modules.why.begin(), w.modules.why.end());
   if (w.clock.dt < never) r.step = w.clock.dt;
@@ -218,12 +218,18 @@ void estimateCost(CheckedWorld& c, const CheckOptions& o, SurfaceTrial& surface,
                         : testedSuggestions(c.comm, o, w, total, r.warnings);
   // Emitted particles raise memory and run time.
   const double most = total / particles / ranks, mean = (0.5 + 0.5 * total / particles) / ranks;
+  cost.stepping = cost.steps * perStep * size * mean;
+  if (w.modules.rigid)
+    cost.growth = growthOfCoarseRun(c.comm, {o.scene, o.overrides, total}, r.spacing, cost.steps * perStep);
+  if (cost.growth) {
+    cost.steps *= cost.growth->steps;
+    cost.stepping = cost.steps * cost.growth->cost * perStep * size / ranks;
+  }
   cost.ranks = ranks;
   cost.surface = w.modules.surface;
   cost.surfaceBytesPerRank = onSurface.bytes / ranks;
   cost.memoryPerRank = memory * size * most + cost.surfaceBytesPerRank;
   cost.bytesPerParticle = memory * size / particles;
-  cost.stepping = cost.steps * perStep * size * mean;
   cost.surfaceLeast = onSurface.seconds / ranks;
   cost.surfaceMost = onSurface.secondsMost / ranks;
   cost.particleStepsPerSecond = perStep > 0 ? particles / perStep / size : 0;

@@ -446,8 +446,8 @@ void reportBodyTypes(Run& r) {
 }
 
 void warnOfOverlaps(Run& r, const SamplingReport& sampled) {
-  for (const std::string& pair : sampled.overlaps)
-    r.warn(fmt::format("{}; {} particles left out in all", pair, sampled.removed));
+  for (const BodyOverlap& pair : sampled.overlaps)
+    r.warn(fmt::format("{}; {} particles left out in all", pair.text, sampled.removed));
 }
 
 /// Makes the output folders, and moves an earlier run in them aside.

@@ -117,4 +117,41 @@ expectExit 0 "check of a run without end"
 expectMessage '^run time: about more than 1000 years with 1 rank ([0-9.]*e+[0-9]* steps' "a run without end"
 grep -qE '[0-9]{20}|\<inf\>' "$work/log" &&
   fail "long numbers, or none: $(grep -E '[0-9]{20}|\<inf\>' "$work/log")"
+# rigid pieces touch after the first steps: a coarse run shows how the cost grows
+cat >"$work/rigid.toml" <<'SCENE'
+spacing = "2 cm"
+end = "1 s"
+[domain]
+min = [-0.5, -0.5, -0.1]
+max = [0.5, 0.5, 0.8]
+gravity = [0, 0, -9.81]
+[material.stone]
+law = "rigid"
+density = 2500
+[numerics]
+max_step = "2 ms"
+[[body]]
+name = "lower"
+box = { size = [0.3, 0.3, 0.2] }
+material = "stone"
+place = { move = [0, 0, 0.2] }
+[[body]]
+name = "upper"
+box = { size = [0.3, 0.3, 0.2] }
+material = "stone"
+place = { move = [0, 0, 0.5] }
+[[obstacle]]
+name = "floor"
+plane = { point = [0, 0, 0], normal = [0, 0, 1] }
+SCENE
+launch 2 check "$work/rigid.toml" >"$work/log" 2>&1; expectExit 0 "check of rigid pieces"
+expectMessage 'are included: a run with a spacing of 0.04 m has 1.00 times the steps expected at its start' \
+  "growth of the cost"
+launch 1 check "$work/rigid.toml" --json >"$work/log" 2>&1; expectExit 0 "check --json of rigid pieces"
+/usr/bin/python3 - "$work/log" <<'PYTHON' || fail "growth as JSON: $(cat "$work/log")"
+import json, sys
+estimate = json.load(open(sys.argv[1]))['estimate']
+assert abs(estimate['growth']['steps'] - 1) < 0.01 and estimate['growth']['cost'] > 0
+assert abs(estimate['steps'] - 500) < 5
+PYTHON
 finish

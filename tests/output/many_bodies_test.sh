@@ -25,5 +25,6 @@ sed -i 's/0.01, 0.01, 0.06/0.01, 0.03, 0.06/' "$work/many.toml"
 head -n 58 "$work/many.toml" >"$work/overlap.toml"
 launch 2 check "$work/overlap.toml" >"$work/log" 2>&1
 [ $? = 0 ] && fail "bodies that overlap are accepted"
-expectMessage "bodies 'body 0' and 'body 1' overlap: " "bodies that overlap"
+expectMessage "overlap.toml:14:1: error: bodies 'body 0' and 'body 1' overlap: .*; \
+'body 0' is at .*overlap.toml:9; " "bodies that overlap"
 finish

@@ -108,7 +108,7 @@ bool OverlapTest::keeps(std::size_t a, const Vec3d& x, OverlapRule rule, Overlap
   return kept;
 }
 
-std::vector<std::string> describeOverlaps(const OverlapCounts& counts, const std::vector<Body>& bodies) {
+std::vector<BodyOverlap> describeOverlaps(const OverlapCounts& counts, const std::vector<Body>& bodies) {
   // For pairs (a < b): samples of a in b, samples of b in a.
   std::map<std::pair<std::size_t, std::size_t>, std::array<std::int64_t, 2>> found;
   for (std::size_t k = 0; k < counts.pair.size(); k++) {
@@ -116,14 +116,15 @@ std::vector<std::string> describeOverlaps(const OverlapCounts& counts, const std
     const auto [a, b] = counts.pair[k];
     found[{std::min(a, b), std::max(a, b)}][a < b ? 0 : 1] = counts.count[k];
   }
-  std::vector<std::string> sentences;
+  std::vector<BodyOverlap> overlaps;
   for (const auto& [pair, count] : found) {
     const std::string &p = bodies[pair.first].name, &q = bodies[pair.second].name;
-    sentences.push_back("bodies '" + p + "' and '" + q + "' overlap: " + std::to_string(count[0]) +
-                        " particles of '" + p + "' lie inside '" + q + "', " + std::to_string(count[1]) +
-                        " of '" + q + "' inside '" + p + "'");
+    overlaps.push_back({pair.first, pair.second,
+                        "bodies '" + p + "' and '" + q + "' overlap: " + std::to_string(count[0]) +
+                            " particles of '" + p + "' lie inside '" + q + "', " + std::to_string(count[1]) +
+                            " of '" + q + "' inside '" + p + "'"});
   }
-  return sentences;
+  return overlaps;
 }
 
 }  // namespace thaw

@@ -45,8 +45,14 @@ class OverlapTest {
   std::vector<std::size_t> first_;  ///< neighbours of body a: near_[first_[a]] to near_[first_[a + 1]]
 };
 
-/// Returns one sentence per pair: "bodies 'a' and 'b' overlap: 12 particles of 'a' lie inside 'b', 10 of 'b'
-/// inside 'a'". Requires: counts summed over all ranks.
-std::vector<std::string> describeOverlaps(const OverlapCounts& counts, const std::vector<Body>& bodies);
+/// Two bodies that overlap.
+struct BodyOverlap {
+  std::size_t first, second;  ///< bodies, in the order of the scene
+  std::string text;           ///< "bodies 'a' and 'b' overlap: 12 particles of 'a' lie inside 'b', 10 of 'b'
+                              ///< inside 'a'"
+};
+
+/// Returns all pairs that overlap. Requires: counts summed over all ranks.
+std::vector<BodyOverlap> describeOverlaps(const OverlapCounts& counts, const std::vector<Body>& bodies);
 
 }  // namespace thaw

@@ -14,7 +14,7 @@ bool reaches(const PlacedElement& e, const Vec3d& direction, double spacing) {
   if (e.round()) return true;
   const double cosine = dot(e.normal, direction);
   if (!(cosine > 0)) return false;
-  return e.plane() || e.radius * length(direction - cosine * e.normal) <= elementReach * spacing;
+  return e.plane() || e.radius * length(direction - cosine * e.normal) <= sphereReach * spacing;
 }
 
 /// Distance (m) of the surface from the particle along a direction.
@@ -69,7 +69,7 @@ std::optional<Vec3d> outermost(const PlacedElement& e, const Vec3d& direction, d
   if (!(cosine > 0)) return {};
   if (e.plane()) return cosine > facing ? std::optional(e.position + e.offset * e.normal) : std::nullopt;
   const Vec3d along = direction - cosine * e.normal;
-  const double sine = length(along), most = elementReach * spacing / e.radius;
+  const double sine = length(along), most = sphereReach * spacing / e.radius;
   if (sine <= most) return e.centre() + e.radius * direction;
   if (cosine < facing) return {};
   return e.centre() +

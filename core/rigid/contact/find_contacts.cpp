@@ -17,8 +17,8 @@ namespace {
 
 constexpr double nearGap = 0.03;   // spacings; smaller gaps are contacts at any velocity
 constexpr double faceGap = 0.03;   // spacings; faces count before edges that are not this much closer
-constexpr double flatEdge = 0.3;   // spacings; faces are plane so far beyond their outermost particles, and
-constexpr double roundEdge = 0.5;  // round from here on, as their edges are
+constexpr double flatEdge = 0.3;   // spacings; faces are plane so far beyond their outermost particles, have
+constexpr double roundEdge = 0.5;  // a chamfer up to here, and are round further out, as their edges are
 constexpr double lookAhead = 1.5;  // steps; motions change within the step
 
 bool hasSurface(const Continuum& p, std::size_t i) { return p.piece[i] != notRigid && p.faceOffset[i] > 0; }
@@ -129,30 +129,45 @@ void addPairContact(Search& s, std::uint32_t i, const Candidate& to) {
   if (mayClose(s.in, s.motion, c)) s.found.push_back(f);
 }
 
-/// Distance (m) of a point of contact beyond the particles of a face, whose outermost ones are round.
-double beyondFace(const Search& s, const Candidate& plane, std::span<const Candidate> candidates) {
-  double beyond = std::max(0.0, plane.contact->aside - elementReach * s.in.scene.spacing);
+/// Vector (m) along a face to a point of contact from the nearest of its outermost particles, which are
+/// round; zero well within the face.
+Vec3d beyondFace(const Search& s, const Candidate& plane, std::span<const Candidate> candidates) {
   const Continuum& p = s.in.particles;
+  const Vec3d n = plane.contact->normal;
+  const auto along = [&](const Vec3d& from) {
+    const Vec3d to = plane.contact->point - from;
+    return to - dot(to, n) * n;
+  };
+  const double most = elementReach * s.in.scene.spacing, aside = plane.contact->aside;
+  Vec3d beyond = aside > most ? (1 - most / aside) * along(plane.element.position) : Vec3d{};
   for (const Candidate& c : candidates) {
     if (!c.element.round() || p.piece[c.row] != p.piece[plane.row]) continue;
-    const Vec3d to = plane.contact->point - c.element.position, n = plane.contact->normal;
-    beyond = std::min(beyond, length(to - dot(to, n) * n));
+    const Vec3d to = along(c.element.position);
+    if (dot(to, to) < dot(beyond, beyond)) beyond = to;
   }
   return beyond;
 }
 
-/// Rounds the edges of a face. From flatEdge on, lifts the gap of a particle beyond the face towards that of
-/// two spheres one above the other. From roundEdge on, drops the contact: edges touch there instead.
-void roundEdges(const Search& s, const PlacedElement& a, std::vector<Candidate>& candidates) {
-  const double flat = flatEdge * s.in.scene.spacing, round = roundEdge * s.in.scene.spacing;
+/// Bevels the edges of a face. From flatEdge on, the gap of a particle beyond the face grows, up to that of
+/// two spheres at roundEdge. The normal is the gradient of the gap, so that sliding changes no overlap that
+/// the normal velocity does not show. From roundEdge on, drops the contact: edges touch there instead.
+void bevelEdges(const Search& s, const PlacedElement& a, std::vector<Candidate>& candidates) {
+  const double flat = flatEdge * s.in.scene.spacing;
   for (Candidate& c : candidates) {
     if (!c.element.plane() || !c.contact) continue;
-    c.beyond = beyondFace(s, c, candidates);
+    const Vec3d beyond = beyondFace(s, c, candidates);
+    c.beyond = length(beyond);
     if (!(c.beyond > flat)) continue;
     const double both = a.radius + c.element.offset, height = c.contact->gap + both;
-    const double lifted = c.beyond * (c.beyond - flat) / (round - flat);
-    if (c.beyond > std::min(round, both) || height < 0.5 * both) c.contact.reset();
-    else c.contact->gap += both - std::sqrt(both * both - lifted * lifted);
+    const double round = std::min(roundEdge * s.in.scene.spacing, both);
+    if (c.beyond > round || height < 0.5 * both) {
+      c.contact.reset();
+      continue;
+    }
+    const double slope = (both - std::sqrt(both * both - round * round)) / (round - flat);
+    const Vec3d gradient = c.contact->normal + (slope / c.beyond) * beyond;
+    c.contact->gap = (c.contact->gap + slope * (c.beyond - flat)) / length(gradient);
+    c.contact->normal = normalized(gradient);
   }
 }
 
@@ -182,7 +197,7 @@ bool lists(const PlacedElement& a, const PlacedElement& b, bool smaller) {
 /// Adds the contacts of a particle, one for each piece and direction.
 void addPairContacts(Search& s, std::uint32_t i, const PlacedElement& a, std::vector<Candidate>& candidates) {
   const Continuum& p = s.in.particles;
-  if (!a.plane()) roundEdges(s, a, candidates);
+  if (!a.plane()) bevelEdges(s, a, candidates);
   for (const Candidate& c : candidates)
     if (c.contact && lists(a, c.element, p.piece[i] < p.piece[c.row]) &&
         std::none_of(candidates.begin(), candidates.end(),
@@ -203,7 +218,7 @@ void findPairsOf(Search& s, std::uint32_t i, const SurfaceCells& t, std::span<co
       const std::uint32_t j = t.rows[m];
       if (p.piece[j] == p.piece[i] || (sleeps && isAsleep(s.in, j))) continue;
       const Vec3d to = p.position[j] - a.position;
-      const double near = a.offset + static_cast<double>(p.faceOffset[j]) + planeReach * spacing;
+      const double near = a.offset + static_cast<double>(p.faceOffset[j]) + 2 * sphereReach * spacing;
       if (!(dot(to, to) < near * near)) continue;
       Candidate c{j, placed(s.in, j), {}};
       if (bend(a) >= bend(c.element)) c.contact = contactOf(a, c.element, spacing);

@@ -18,9 +18,13 @@ struct SurfaceElement {
 
 inline constexpr float planeRadius = std::numeric_limits<float>::infinity();
 
-/// Largest distance (spacings) along the surface between a particle and a point that its element describes.
-/// Elements have no holes then, also on spheres of a few spacings.
+/// Largest distance (spacings) along a plane between a particle and a point that its element describes.
 inline constexpr double elementReach = 1.0;
+
+/// The same for spheres, as the distance of the point from the line through centre and particle. Elements
+/// leave no holes then: on spheres of two spacings, particles are up to 1.16 apart from the surface points
+/// that are nearest to none.
+inline constexpr double sphereReach = 1.2;
 
 /// The same for a plane that a sphere, an edge or a corner touches. Planes end at a spacing from the edges of
 /// their body, where particles are round.

@@ -9,7 +9,6 @@
 #include "core/domain/sides.hpp"
 #include "core/geometry/basic/shape_error.hpp"
 #include "core/geometry/sampling/sampling.hpp"
-#include "core/geometry/shapes/overlap.hpp"
 #include "core/heat/heat.hpp"
 #include "core/materials/enthalpy.hpp"
 #include "core/scene/full_box.hpp"
@@ -230,11 +229,9 @@ void warnOfNarrowBodies(const Scene& s, const Shapes& shapes, std::vector<SceneW
                sizeHint(s, s.bodies[b].shape, shapes[b]->bounds())});
 }
 
-/// Sets the first bodies that overlap and that lie in an obstacle.
+/// Sets the first body that lies in an obstacle.
 void reportMisplaced(const World& w, const Sampling& found, SamplingReport& report) {
   const std::vector<Body>& bodies = w.scene.bodies;
-  for (std::size_t k = found.overlaps.count.size(); k-- > 0;)
-    if (found.overlaps.count[k] > 0) report.overlapWhere = bodies[found.overlaps.pair[k].first].where;
   report.inObstacles = found.misplaced.inObstacles;
   if (report.inObstacles == 0) return;
   const std::size_t code = static_cast<std::size_t>(-found.misplaced.firstObstacle);

@@ -6,6 +6,7 @@
 
 #include "core/domain/outside.hpp"
 #include "core/geometry/basic/signed_distance.hpp"
+#include "core/geometry/shapes/overlap.hpp"
 #include "core/halo/halo.hpp"
 #include "core/scene/scene_warning.hpp"
 #include "core/simulation/world/world.hpp"
@@ -16,12 +17,12 @@ namespace thaw {
 struct SamplingReport {
   std::vector<std::int64_t> particles;  ///< by body
   std::vector<std::int64_t> clamped;    ///< clamped particles, by body
-  std::vector<std::string> overlaps;    ///< one sentence with counts per pair of overlapping bodies
-  std::int64_t removed = 0;             ///< samples removed by the scene's overlap rule
-  std::vector<Outside> outside;         ///< extent outside of the domain, by body
+  std::vector<BodyOverlap> overlaps;
+  std::int64_t removed = 0;      ///< samples removed by the scene's overlap rule
+  std::vector<Outside> outside;  ///< extent outside of the domain, by body
   std::int64_t inObstacles = 0;
-  std::string firstObstacle;                ///< names, for the message
-  SourcePlace overlapWhere, obstacleWhere;  ///< place of the first body with such particles
+  std::string firstObstacle;           ///< names, for the message
+  SourcePlace obstacleWhere;           ///< place of the first body with such particles
   std::vector<SceneWarning> warnings;  ///< about narrow bodies, oriented bodies and sheets, and repairs of
                                        ///< meshes
 };

@@ -41,6 +41,9 @@ void addWallWarnings(const World& w, std::vector<SceneWarning>& warnings) {
   }
 }
 
+/// "file:line".
+std::string lineText(const SourcePlace& where) { return where.file + ":" + std::to_string(where.line); }
+
 /// Shapes of bodies, by body.
 using BodyShapes = std::vector<std::shared_ptr<const SignedDistance>>;
 
@@ -48,10 +51,12 @@ using BodyShapes = std::vector<std::shared_ptr<const SignedDistance>>;
 void addMisplaced(const World& w, const StepTools& t, const BodyShapes& shapes, const SamplingReport& report,
                   SceneProblems& problems) {
   if (w.scene.numerics.overlap == OverlapRule::Error)
-    for (const std::string& pair : report.overlaps)
-      problems.add(report.overlapWhere, pair +
-                                            "; move them apart, or set `numerics.overlap` to \"keep\", "
-                                            "\"remove later\" or \"remove earlier\"");
+    for (const BodyOverlap& pair : report.overlaps)
+      problems.add(w.scene.bodies[pair.second].where,
+                   pair.text + "; '" + w.scene.bodies[pair.first].name + "' is at " +
+                       lineText(w.scene.bodies[pair.first].where) +
+                       "; move them apart, or set `numerics.overlap` to \"keep\", \"remove later\" or "
+                       "\"remove earlier\"");
   for (std::size_t b = 0; b < shapes.size(); b++)
     if (const Body& body = w.scene.bodies[b]; report.outside[b].count > 0)
       problems.add(body.where, "body '" + body.name + "': " +

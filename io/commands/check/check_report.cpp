@@ -123,6 +123,11 @@ void printCost(const CheckReport& r) {
       rangeText(c.stepping), c.ranks, plural, countText(c.steps), speedText(c.particleStepsPerSecond),
       c.measuredSteps,
       c.surface ? ": " + durationText(c.stepping) + ", and " + rangeText(0) + " for the surface" : "");
+  if (c.growth)
+    fmt::print(
+        "contacts and changes of rigid pieces are included: a run with a spacing of {:.2g} m has "
+        "{:.2f} times the steps expected at its start, of {:.2f} times the cost\n",
+        c.growth->spacing, c.growth->steps, c.growth->cost);
   if (takesTooLong(c)) fmt::print("warning: {}\n", tooLongText(r));
   fmt::print(
       "step and number of particles change during the run: the estimate is good to a factor of two{}\n",
@@ -171,6 +176,8 @@ Json jsonCost(const CheckedCost& c) {
           {"run_time", {c.stepping + c.surfaceLeast, c.stepping + c.surfaceMost}},
           {"particle_steps_per_second", c.particleStepsPerSecond},
           {"measured_steps", c.measuredSteps}};
+  if (c.growth)
+    to["growth"] = {{"spacing", c.growth->spacing}, {"steps", c.growth->steps}, {"cost", c.growth->cost}};
   if (c.surface) {
     to["surface_memory_per_rank"] = c.surfaceBytesPerRank;
     to["surface_run_time"] = {c.surfaceLeast, c.surfaceMost};

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "io/commands/check/coarse_run.hpp"
+
 namespace thaw {
 
 /// A continuum body at the start.
@@ -40,6 +42,7 @@ struct CheckedCost {
   double surfaceLeast = 0, surfaceMost = 0;  ///< s: the surface stays together, or splashes
   double particleStepsPerSecond = 0;         ///< rate of one rank
   int measuredSteps = 0;
+  std::optional<RunGrowth> growth{};  ///< after these steps; included in steps and stepping
   bool surface = false;
 };
 

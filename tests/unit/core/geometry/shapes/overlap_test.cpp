@@ -39,9 +39,11 @@ TEST(Overlap, FollowsItsRulesAndCounts) {
     EXPECT_EQ(counts.of(0, 1), 400);
     EXPECT_EQ(counts.of(1, 0), 400);
     EXPECT_EQ(counts.total(), 800);
-    const auto sentences = describeOverlaps(counts, bodies);
-    ASSERT_EQ(sentences.size(), 1u);
-    EXPECT_EQ(sentences[0],
+    const auto overlaps = describeOverlaps(counts, bodies);
+    ASSERT_EQ(overlaps.size(), 1u);
+    EXPECT_EQ(overlaps[0].first, 0u);
+    EXPECT_EQ(overlaps[0].second, 1u);
+    EXPECT_EQ(overlaps[0].text,
               "bodies 'a' and 'b' overlap: 400 particles of 'a' lie inside 'b', 400 of 'b' inside 'a'");
   }
 }

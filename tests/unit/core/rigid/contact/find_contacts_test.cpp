@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <tuple>
 #include <vector>
@@ -111,8 +112,9 @@ TEST(FindContacts, FacesTouchAlongTheirNormalAtTheirOutline) {
   int between = 0, onFloor = 0;
   double most[2] = {0, 0};
   for (const FoundContact& f : rig.contacts) {
-    EXPECT_NEAR(std::abs(f.contact.normal.z), 1, 1e-6);
-    EXPECT_LT(std::abs(f.contact.gap), 0.02 * spacing);
+    const bool closed = f.contact.gap < 0.002 * spacing;  // particles above the bevel of an edge are open
+    EXPECT_TRUE(!closed || std::abs(std::abs(f.contact.normal.z) - 1) < 1e-6);
+    EXPECT_TRUE(!closed || std::abs(f.contact.gap) < 0.02 * spacing);
     (f.contact.b == noPiece ? onFloor : between)++;
     if (f.contact.b != noPiece) continue;
     most[0] = std::max(most[0], f.contact.armA.x + f.contact.armA.y);
@@ -123,6 +125,57 @@ TEST(FindContacts, FacesTouchAlongTheirNormalAtTheirOutline) {
   EXPECT_NEAR(most[1], 0.5, 1e-6);
   EXPECT_GE(between, 4);
   EXPECT_LE(between, 16);  // closed and open ones
+}
+
+TEST(FindContacts, BallsHaveNoHolesInAnyDirection) {
+  // in the direction of the diagonal of two axes, particles are furthest from the surface of this ball
+  for (const Vec3d& inside : {Vec3d{1, 1, 0}, Vec3d{1, 1, 1}, Vec3d{1, 0, 0}, Vec3d{3, 2, 1}}) {
+    RigidRig rig(spacing, 3, 1e-3);
+    rig.gravity = {};
+    rig.setFriction(0, 0);
+    const Vec3d from = normalized(inside), axis = cross(from, {0, 0, 1});
+    const double sine = length(axis), angle = std::atan2(sine, from.z), half = std::numbers::pi;
+    for (int i = 0; i < 2; i++) {
+      rig.pieces.push_back(pieceOf(SphereDistance(0.2), spacing, 1000));
+      RigPiece& ball = rig.pieces.back();
+      ball.centre = {0, 0, 1 + 0.45 * i};
+      ball.velocity = {0, 0, i == 0 ? 0.5 : -0.5};
+      if (sine > 0) ball.orientation = rotationBy(((angle + i * half) / sine) * axis);
+    }
+    double deepest = 0;
+    for (int n = 0; n < 80; n++) {
+      rig.step();
+      deepest = std::max(deepest, rig.last.deepest);
+    }
+    EXPECT_LT(deepest, 0.01 * spacing);
+    EXPECT_NEAR(rig.pieces[1].centre.z - rig.pieces[0].centre.z, 0.4, 0.01 * spacing);
+  }
+}
+
+TEST(FindContacts, ACornerSlidesOnAFaceFromItsEdgeWithoutOverlap) {
+  for (const double speed : {0.5, 1.5}) {
+    RigidRig rig(spacing, 3, 2e-3);
+    rig.setFriction(0, 0);
+    rig.pieces.push_back(pieceOf(BoxDistance({1, 1, 0.4}), spacing, 1e5));
+    rig.pieces.back().centre = {0, 0, 0.2};
+    rig.pieces.push_back(pieceOf(BoxDistance({0.3, 0.3, 0.3}), spacing, 1000));
+    RigPiece& cube = rig.pieces.back();
+    cube.orientation = rotationBy({0.6, 0.5, 0});
+    double lowest = 0, x = 0;
+    for (const Vec3d& p : cube.points) {
+      const Vec3d at = rotated(cube.orientation, p);
+      if (at.z < lowest) lowest = at.z, x = at.x;
+    }
+    // the corner is round; it starts 0.45 spacings beyond the outermost particles of the face
+    cube.centre = {0.495 - x, 0.02, 0.44 - lowest};
+    cube.velocity = {-speed, 0, 0};
+    double deepest = 0;
+    for (int n = 0; n < 100; n++) {
+      rig.step();
+      deepest = std::max(deepest, rig.last.deepest);
+    }
+    EXPECT_LT(deepest, 0.03 * spacing) << speed;
+  }
 }
 
 TEST(FindContacts, ImpulsesAreFirstGuessesOfTheNextStep) {
