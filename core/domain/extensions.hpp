@@ -53,7 +53,7 @@ struct Extension {
   ElasticLaw law = {};       ///< with lanes or response
   ShapeMaker shape = {};
   bool heats = false;    ///< its load adds heat: a scene that names it has heat
-  bool builtIn = false;  ///< of the library: all programs have it
+  bool builtIn = false;  ///< in the library: all programs have it
 
   /// Returns true if it has a part that [extension.NAME] turns on.
   bool usesTable() const { return load || !fields.empty() || update || pairForce.kernels.sum; }

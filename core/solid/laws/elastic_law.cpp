@@ -14,7 +14,7 @@ namespace {
 struct KnownLaw {
   ElasticLaw law;
   std::vector<std::string> keys;
-  std::vector<double> standard{};  // of the keys of laws of the library
+  std::vector<double> standard{};  // defaults of the keys of a law of the library
   std::map<LawValues, BoundLaw> bound{};
   std::mutex binding{};  // simulations may run in several threads
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an elastic law reads, and the parts that a law of the library may leave out. T is double, or lanes of
+// Input of an elastic law, and the parts that a law of the library may leave out. T is double, or lanes of
 // float or double. Only plain data: code for one instruction set includes this.
 #pragma once
 #include <array>

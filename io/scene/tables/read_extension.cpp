@@ -53,11 +53,11 @@ void readExtension(TableReader& r, ExtensionSettings& settings, SceneReading&) {
 void readLaw(TableReader& r, Material& m) {
   const std::vector<std::string> names = lawNames();
   int law = static_cast<int>(std::find(names.begin(), names.end(), m.law.name) - names.begin());
-  if (law == static_cast<int>(names.size()))  // of a scene made in code
+  if (law == static_cast<int>(names.size()))  // a scene made in code
     throw std::invalid_argument("material '" + m.name + "': unknown elastic law '" + m.law.name +
                                 "'; expected one of " + joined(names));
-  std::string about = "elastic energy.";
-  for (const std::string& name : names) about += " \"" + name + "\": " + findExtension(name)->about + ".";
+  std::string about = "elastic energy";
+  for (const std::string& name : names) about += ". \"" + name + "\": " + findExtension(name)->about;
   // Pieces are part of the state, so a run cannot change to or from them.
   r.as(m.isRigid() ? Restart::State : Restart::Coefficient).choice("law", law, names, about.c_str());
   const std::string& chosen = names[static_cast<std::size_t>(law)];
