@@ -54,7 +54,7 @@ struct Material {
   double expansionFrom = 0;        // K, temperature of `density`; 0: the ambient temperature
   Blend young;                     // Pa; a solid value > 0 allows the material to be solid
   Blend poisson{0.3, 0.3};         // 1
-  ExtensionSettings law{.name = "green", .values = {}};  // of core/solid/laws/laws.hpp or an extension
+  ExtensionSettings law{.name = "green", .values = {}};  // in core/solid/laws/laws.hpp or an extension
   Blend yieldStrain{never, never};  // 1, gamma_yield: yield stress |dev sigma|/2G (OBH02; plasticity.hpp);
                                     // never: not plastic
   Blend creepRate{never, never};    // 1/s, gamma_creep: decay rate of the stress above yield; never:

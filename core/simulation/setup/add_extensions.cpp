@@ -15,9 +15,8 @@ const Extension& extensionOf(const std::string& name) {
   return *e;
 }
 
-/// Adds a line of the run's description for an extension of the program that is not in it.
+/// Adds a line of the run's description for an extension that is not in it.
 void describe(Modules& modules, const Extension& e) {
-  if (e.builtIn) return;
   const std::string line = "extension '" + e.name + "': " + e.about;
   std::vector<std::string>& why = modules.why;
   if (std::find(why.begin(), why.end(), line) == why.end()) why.push_back(line);
@@ -64,7 +63,8 @@ void addExtensions(World& w, StepTools& t) {
     if (e.stepLimit) lower(t, e.stepLimit(settings));
     if (e.pairForce.kernels.sum) addPairForce(w, t, e, settings);
   }
-  for (const Material& m : w.scene.materials) describe(w.modules, extensionOf(m.law.name));
+  for (const Material& m : w.scene.materials)
+    if (const Extension& law = extensionOf(m.law.name); !law.builtIn) describe(w.modules, law);
   for (const Body& b : w.scene.bodies) describeShape(w.modules, b.shape);
   for (const Obstacle& o : w.scene.obstacles) describeShape(w.modules, o.shape);
   for (const OrientedBody& b : w.scene.oriented) describeShape(w.modules, b.shape);
