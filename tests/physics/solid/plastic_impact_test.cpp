@@ -37,13 +37,13 @@ double lostInImpact(const char* law, double maxPlasticStrain) {
 // Nearly all of the body flows, so most references are renewed while it is compressed.
 TEST(PlasticImpact, LedgerClosesWithNewReferences) {
   for (const char* const law : {"neo-hookean", "corotated"})
-    EXPECT_NEAR(lostInImpact(law, never), 0, 0.01) << static_cast<int>(law);
+    EXPECT_NEAR(lostInImpact(law, never), 0, 0.01) << law;
 }
 
 // Past the limit the stress changes by a multiple of the yield stress in a step.
 TEST(PlasticImpact, LedgerClosesAtTheLimitOfPlasticStrain) {
   for (const char* const law : {"neo-hookean", "corotated"})
-    EXPECT_NEAR(lostInImpact(law, 0.3), 0, 0.01) << static_cast<int>(law);
+    EXPECT_NEAR(lostInImpact(law, 0.3), 0, 0.01) << law;
 }
 
 }  // namespace
