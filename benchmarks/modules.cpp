@@ -94,8 +94,8 @@ const std::vector<Row>& rows() {
       {"fracture with contact of pieces", Base::Solid, [](Scene& s) { s.materials[0].breakStretch = 1.5; }},
       {"volume force", Base::Solid, [](Scene& s) { s.materials[0].volumeStiffness = 1e5; }},
       {"damping", Base::Solid, [](Scene& s) { s.materials[0].damping = 1; }},
-      {"corotated law", Base::Solid, [](Scene& s) { s.materials[0].law = ElasticLaw::Corotated; }},
-      {"neo-hookean law", Base::Solid, [](Scene& s) { s.materials[0].law = ElasticLaw::NeoHookean; }},
+      {"corotated law", Base::Solid, [](Scene& s) { s.materials[0].law.name = "corotated"; }},
+      {"neo-hookean law", Base::Solid, [](Scene& s) { s.materials[0].law.name = "neo-hookean"; }},
       {"freezing and melting", Base::Solid,
        [](Scene& s) {
          Material& m = s.materials[0];

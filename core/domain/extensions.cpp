@@ -11,13 +11,25 @@ namespace {
 
 using Extensions = std::map<std::string, Extension>;
 
+/// Returns a law of core/solid/laws/laws.hpp as an extension.
+Extension extensionOf(const BuiltInLaw& row) {
+  Extension e{.name = row.name, .about = row.about, .law = row.law};
+  for (const LawKey& key : row.keys)
+    e.keys.push_back({key.name, key.unit, key.standard, key.least, key.most, key.about});
+  return e;
+}
+
 /// Returns the extensions of the library itself, available in all programs.
-std::vector<Extension> ownExtensions() { return {}; }
+std::vector<Extension> ownExtensions() {
+  std::vector<Extension> all;
+  for (const BuiltInLaw& row : builtInLaws()) all.push_back(extensionOf(row));
+  return all;
+}
 
 void enter(Extension e, Extensions& all) {
   std::vector<std::string> keys;
   for (const ExtensionKey& key : e.keys) keys.push_back(key.name);
-  if (e.hasLaw()) addExtensionLaw(e.name, e.law, keys);
+  if (e.hasLaw() && e.law.builtIn < 0) addElasticLaw(e.name, e.law, keys);
   if (e.shape) addExtensionShape(e.name, e.shape);
   const std::string name = e.name;
   all.emplace(name, std::move(e));
@@ -26,7 +38,10 @@ void enter(Extension e, Extensions& all) {
 Extensions& registered() {
   static Extensions all = [] {
     Extensions own;
-    for (Extension& e : ownExtensions()) enter(std::move(e), own);
+    for (Extension& e : ownExtensions()) {
+      e.builtIn = true;
+      enter(std::move(e), own);
+    }
     return own;
   }();
   return all;
@@ -121,10 +136,6 @@ const Extension* findExtension(const std::string& name) {
   return at == registered().end() ? nullptr : &at->second;
 }
 
-std::vector<std::string> extensionNames() {
-  return extensionNames([](const Extension&) { return true; });
-}
-
 std::vector<std::string> extensionNames(const std::function<bool(const Extension&)>& has) {
   std::vector<std::string> names;
   for (const auto& [name, extension] : registered())
@@ -132,9 +143,18 @@ std::vector<std::string> extensionNames(const std::function<bool(const Extension
   return names;
 }
 
+std::vector<std::string> lawNames() {
+  std::vector<std::string> names;
+  for (const BuiltInLaw& row : builtInLaws()) names.push_back(row.name);
+  for (const std::string& name :
+       extensionNames([](const Extension& e) { return e.hasLaw() && e.law.builtIn < 0; }))
+    names.push_back(name);
+  return names;
+}
+
 void completeExtensions(Scene& scene) {
   for (ExtensionSettings& s : scene.extensions) complete(s);
-  for (Material& m : scene.materials) complete(m.extensionLaw);
+  for (Material& m : scene.materials) complete(m.law);
   for (Body& b : scene.bodies) {
     completeShape(b.shape);
     for (Shape& clamp : b.clamp) completeShape(clamp);

@@ -10,8 +10,8 @@
 #include "core/domain/outside_forces.hpp"
 #include "core/fluid/pair_sums/extension_pair_force.hpp"
 #include "core/geometry/basic/extension_shape.hpp"
-#include "core/materials/extension_law.hpp"
 #include "core/scene/scene.hpp"
+#include "core/solid/laws/elastic_law.hpp"
 
 namespace thaw {
 
@@ -50,9 +50,10 @@ struct Extension {
   /// Makes the update of the fields; none: only loads and hooks set them.
   std::function<FieldUpdate(const ExtensionSettings&)> update = {};
   PairForce pairForce = {};  ///< with kernels
-  ExtensionLaw law = {};     ///< with lanes or response
+  ElasticLaw law = {};       ///< with lanes or response
   ShapeMaker shape = {};
-  bool heats = false;  ///< its load adds heat: a scene that names it has heat
+  bool heats = false;    ///< its load adds heat: a scene that names it has heat
+  bool builtIn = false;  ///< in the library: all programs have it
 
   /// Returns true if it has a part that [extension.NAME] turns on.
   bool usesTable() const { return load || !fields.empty() || update || pairForce.kernels.sum; }
@@ -65,10 +66,10 @@ void registerExtension(Extension extension);
 
 /// Returns the extension of that name, or null.
 const Extension* findExtension(const std::string& name);
-/// Returns the names of all extensions.
-std::vector<std::string> extensionNames();
 /// Returns the names of those extensions for which `has` is true, in order.
 std::vector<std::string> extensionNames(const std::function<bool(const Extension&)>& has);
+/// Returns the names of all elastic laws: those of the library in the order of their table, then others.
+std::vector<std::string> lawNames();
 
 /// Adds the defaults of keys that a scene made in code leaves out, and sets which extensions heat.
 void completeExtensions(Scene& scene);

@@ -11,7 +11,7 @@ struct Counters {
                                             ///< computation
   std::int64_t brokenBonds = 0;
   std::int64_t inverted = 0;  ///< particles with det F <= 0 (particle-steps)
-  std::int64_t squeezed = 0;  ///< particles of law "green" compressed below sqrt(1/3) in some direction
+  std::int64_t squeezed = 0;  ///< particles compressed so far that their law, "green", weakens
                               ///< (particle-steps)
   std::int64_t coincidentPairs = 0;
   std::int64_t melted = 0, frozen = 0;  ///< phase changes

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -27,14 +28,6 @@ struct Blend {
   double solid = 0, liquid = 0;
   double at(double liquidFraction) const { return solid + (liquid - solid) * liquidFraction; }
 };
-
-enum class ElasticLaw {
-  Green,
-  NeoHookean,
-  Corotated,
-  Rigid,
-  Extension
-};  // Green strain with Hooke's law is the law of the papers; Rigid: bodies of core/rigid/
 
 struct Material {
   std::string name;
@@ -61,8 +54,7 @@ struct Material {
   double expansionFrom = 0;        // K, temperature of `density`; 0: the ambient temperature
   Blend young;                     // Pa; a solid value > 0 allows the material to be solid
   Blend poisson{0.3, 0.3};         // 1
-  ElasticLaw law = ElasticLaw::Green;
-  ExtensionSettings extensionLaw;   // ElasticLaw::Extension: the law and the values of its keys
+  ExtensionSettings law{.name = "green", .values = {}};  // in core/solid/laws/laws.hpp or an extension
   Blend yieldStrain{never, never};  // 1, gamma_yield: yield stress |dev sigma|/2G (OBH02; plasticity.hpp);
                                     // never: not plastic
   Blend creepRate{never, never};    // 1/s, gamma_creep: decay rate of the stress above yield; never:
@@ -97,7 +89,7 @@ struct Material {
   double paperDiffusivity = 0;   // m^2/s, k_heat of K05, for heat model "paper"
   bool liquidAtStart = false;    // only for materials that do not melt: initial phase
   bool melts() const { return solidus < never; }
-  bool isRigid() const { return law == ElasticLaw::Rigid; }
+  bool isRigid() const { return std::string_view(law.name) == "rigid"; }  // bodies of core/rigid/
   bool canBeSolid() const { return young.solid > 0 || isRigid(); }
 };
 

@@ -11,8 +11,8 @@
 
 #include "core/domain/extensions.hpp"
 #include "core/geometry/shapes/primitives.hpp"
-#include "core/materials/elastic_constants.hpp"
 #include "core/math/exact_sum.hpp"
+#include "core/solid/laws/elastic_constants.hpp"
 #include "core/solid/laws/response.hpp"
 #include "io/scene/read_scene.hpp"
 #include "io/simulation/simulation.hpp"
@@ -112,7 +112,8 @@ Extension scalarCopyOfNeoHookean() {
       .about = "Neo-Hookean",
       .law = {.response = [](const Mat3d& gradU, double lambda, double mu, const LawValues&) -> LawResponse {
         ElasticConstants c;
-        c.lambda = lambda, c.mu = mu, c.law = ElasticLaw::NeoHookean;
+        c.lambda = lambda, c.mu = mu,
+        c.law = &boundLaw(ExtensionSettings{.name = "neo-hookean", .values = {}});
         const ElasticResponse r = elasticResponse(c, gradU);
         return {r.energy, r.stress};
       }}};
@@ -406,7 +407,7 @@ TEST(ExtensionLaws, StressIsTheDerivativeOfTheEnergy) {
       EXPECT_NEAR(slope, stress.row[r][c], 1e-3);
     }
   ElasticConstants c;
-  c.lambda = 2e5, c.mu = 1e5, c.law = ElasticLaw::NeoHookean;
+  c.lambda = 2e5, c.mu = 1e5, c.law = &boundLaw(ExtensionSettings{.name = "neo-hookean", .values = {}});
   const Vec3d stretch{1.2, 0.9, 1.1}, built = principalKirchhoff(c, stretch),
                                       ours = principalOf(law, stretch, 2e5, 1e5);
   EXPECT_LT(length(built - ours), 1e-9 * length(built));

@@ -24,7 +24,7 @@ double lostByBlow(double restitution, double friction, double dt) {
   m.density = 1000;
   m.young = {2e5, 0};
   m.poisson = {0.3, 0.3};
-  m.law = ElasticLaw::Corotated;
+  m.law.name = "corotated";
   m.restitution = restitution;
   m.friction = friction;
   s.materials.push_back(m);

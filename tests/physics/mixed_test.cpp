@@ -24,7 +24,7 @@ Scene poolAndRubber() {
   s.materials[1].name = "rubber";
   s.materials[1].density = 1000;
   s.materials[1].young = {3e5, 3e5};
-  s.materials[1].law = ElasticLaw::NeoHookean;
+  s.materials[1].law.name = "neo-hookean";
   return s;
 }
 

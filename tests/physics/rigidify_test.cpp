@@ -31,7 +31,7 @@ Scene fallingCube(double young) {
   addFloor(s);
   s.materials.emplace_back();
   s.materials[0].name = "rubber";
-  s.materials[0].law = ElasticLaw::NeoHookean;
+  s.materials[0].law.name = "neo-hookean";
   s.materials[0].young = {young, young};
   s.materials[0].density = 1000;
   s.materials[0].damping = 20;
@@ -79,7 +79,7 @@ TEST(Rigidify, TurningBodyKeepsMomentumAsItGetsRigidAndElastic) {
   Scene s = emptyScene(0.1, {-2, -2, -2}, {2, 2, 2});
   s.materials.emplace_back();
   s.materials[0].name = "rubber";
-  s.materials[0].law = ElasticLaw::NeoHookean;
+  s.materials[0].law.name = "neo-hookean";
   s.materials[0].young = {1e6, 1e6};
   s.materials[0].damping = 200;
   addBox(s, {-0.8, -0.2, -0.2}, {0.8, 0.2, 0.2}).spin = {0.5, 1, 3};

@@ -20,7 +20,7 @@ Scene stiffBlock(int substeps) {
   s.numerics.elasticSubsteps = substeps;
   s.materials.emplace_back();
   s.materials[0].young = {1e6, 1e6};
-  s.materials[0].law = ElasticLaw::Corotated;
+  s.materials[0].law.name = "corotated";
   addBox(s, {-0.2, -0.1, -0.1}, {0.2, 0.1, 0.1});
   return s;
 }
@@ -67,7 +67,7 @@ TEST(Substeps, OfSolidsInIncompressibleLiquidGainNoEnergy) {
   s.materials[1].name = "solid";
   s.materials[1].density = 4100;
   s.materials[1].young = {2e5, 0};
-  s.materials[1].law = ElasticLaw::Corotated;
+  s.materials[1].law.name = "corotated";
   addBox(s, {0.08, 0.08, 0.1}, {0.21, 0.18, 0.18}).material = 1;
   s.bodies[0].shape.rotate = {0.5, 0.3, 0};
   addBox(s, {0, 0, 0}, {0.3, 0.3, 0.14});
@@ -141,7 +141,7 @@ TEST(Substeps, KeepAStiffBlockInWaterStable) {
     s.materials[1].name = "stiff";
     s.materials[1].density = 2000;
     s.materials[1].young = {3e7, 3e7};
-    s.materials[1].law = ElasticLaw::Corotated;
+    s.materials[1].law.name = "corotated";
     addBox(s, {0, 0, 0}, {0.12, 0.12, 0.08});
     Body& b = addBox(s, {0.03, 0.03, 0.09}, {0.09, 0.09, 0.13});
     b.material = 1;

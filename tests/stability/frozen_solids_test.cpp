@@ -20,7 +20,7 @@ TEST(Stability, Row13PulledMoltenFlownFrozen) {
   s.materials.emplace_back();
   Material& m = s.materials[0];
   m.young = {1e5, 0};
-  m.law = ElasticLaw::NeoHookean;
+  m.law.name = "neo-hookean";
   m.viscosity = {20, 20};
   m.soundSpeed = 10;
   m.conductivity = {1, 1};

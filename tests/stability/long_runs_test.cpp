@@ -15,7 +15,7 @@ constexpr double dx = 0.1;
 constexpr Vec3i size{8, 6, 4};
 
 /// A small block in free flight that spins and oscillates. Frames every 40 ms, the default of a scene.
-Scene freeBlock(Quality quality, ElasticLaw law) {
+Scene freeBlock(Quality quality, const char* law) {
   Scene s;
   s.spacing = dx;
   s.end = 1e9;
@@ -27,7 +27,7 @@ Scene freeBlock(Quality quality, ElasticLaw law) {
   s.materials.emplace_back();
   s.materials[0].young = {1e6, 0};
   s.materials[0].poisson = {0.3, 0.3};
-  s.materials[0].law = law;
+  s.materials[0].law.name = law;
   const Vec3d half = 0.5 * dx * Vec3d{double(size.x), double(size.y), double(size.z)};
   addBox(s, -half, half);
   return s;
@@ -66,8 +66,8 @@ double largestResidual(Simulation& run, int steps, const std::function<double()>
 
 TEST(Stability, Row10LongElasticRuns) {
   for (const Quality quality : {Quality::Standard, Quality::Preview, Quality::Reference})
-    for (const ElasticLaw law : {ElasticLaw::Green, ElasticLaw::NeoHookean}) {
-      if (quality == Quality::Reference && law != ElasticLaw::Green) continue;
+    for (const char* const law : {"green", "neo-hookean"}) {
+      if (quality == Quality::Reference && std::string_view(law) != "green") continue;
       Simulation run(freeBlock(quality, law));
       launch(run);
       const double most = largestResidual(run, 50000);
@@ -75,7 +75,7 @@ TEST(Stability, Row10LongElasticRuns) {
                quality == Quality::Standard  ? "standard"
                : quality == Quality::Preview ? "preview"
                                              : "reference",
-               law == ElasticLaw::Green ? "Green" : "Neo-Hookean", most, run.w.clock.time);
+               law, most, run.w.clock.time);
       EXPECT_LT(most, 1e-3);
     }
 }
@@ -85,7 +85,7 @@ TEST(Stability, Row10LongElasticRuns) {
 TEST(Stability, Row10StepsCutAtFrames) {
   double most[2];
   for (const bool naive : {true, false}) {
-    Scene s = freeBlock(Quality::Preview, ElasticLaw::NeoHookean);
+    Scene s = freeBlock(Quality::Preview, "neo-hookean");
     const double every = s.output.every;
     if (naive) s.output.every = 0;  // this test hits the frames itself
     Simulation run(s);
@@ -109,7 +109,7 @@ TEST(Stability, Row10StepsCutAtFrames) {
 // grows.
 TEST(Stability, Row10ElasticStepsBeyondTheLimit) {
   for (const double over : {1.0, 1.25, 1.5, 2.0}) {
-    Scene s = freeBlock(Quality::Standard, ElasticLaw::NeoHookean);
+    Scene s = freeBlock(Quality::Standard, "neo-hookean");
     s.output.every = 0;
     s.numerics.cflElastic *= over;
     Simulation run(s);

@@ -30,11 +30,11 @@ Mat3d plainGradient(const std::vector<Vec3d>& reference, const std::vector<Vec3d
 }
 
 /// An empty scene without gravity and frames, with elastic material 0 of 1e5 Pa, at a spacing of 0.1 m.
-Scene elasticScene(ElasticLaw law, const Vec3d& low, const Vec3d& high) {
+Scene elasticScene(const char* law, const Vec3d& low, const Vec3d& high) {
   Scene s = emptyScene(0.1, low, high);
   s.materials.emplace_back();
   s.materials[0].young = {1e5, 0};
-  s.materials[0].law = law;
+  s.materials[0].law.name = law;
   return s;
 }
 
@@ -53,7 +53,7 @@ TEST(Stability, Row01SingularNeighbourhoods) {
     for (std::size_t k = 0; k < points.size(); k++) points[k] += 1e-9 * noise3(k, 1);
     for (std::size_t k = 0; k < points.size(); k++) moved.push_back(points[k] + 1e-5 * noise3(k, 2));
     Material m = elasticMaterial();
-    m.law = ElasticLaw::NeoHookean;
+    m.law.name = "neo-hookean";
     BodyOptions options;
     if (exact.size() == 4) options.support = 1.3;
     MovingBody b(points, m, options);
@@ -138,12 +138,10 @@ TEST(Stability, Row04Inversion) {
   std::int64_t left[4];
   double energy[4];
   int k = 0;
-  for (const auto& [law, volume] : {std::pair{ElasticLaw::Green, 0.0},
-                                    {ElasticLaw::Green, 1e6},
-                                    {ElasticLaw::NeoHookean, 0.0},
-                                    {ElasticLaw::Corotated, 0.0}}) {
+  for (const auto& [law, volume] :
+       {std::pair{"green", 0.0}, {"green", 1e6}, {"neo-hookean", 0.0}, {"corotated", 0.0}}) {
     Material m = elasticMaterial();
-    m.law = law;
+    m.law.name = law;
     m.volumeStiffness = volume;
     m.damping = 30;
     MovingBody b(points, m);
@@ -170,9 +168,9 @@ TEST(Stability, Row04Inversion) {
 namespace {
 
 /// Returns the force of a bar compressed to a fraction of its length with fixed sides.
-double forceOfBar(ElasticLaw law, double length) {
+double forceOfBar(const char* law, double length) {
   Material m = elasticMaterial(1e6, 0.3);
-  m.law = law;
+  m.law.name = law;
   m.volumeStiffness = 0;
   return -elasticResponse(elasticConstants(m, 0), Mat3d{{{length - 1, 0, 0}, {0, 0, 0}, {0, 0, 0}}}, {})
               .stress.row[0]
@@ -185,7 +183,7 @@ struct BarImpact {
   std::int64_t squeezedFirst;  ///< until the first inversion
 };
 
-BarImpact barImpact(ElasticLaw law) {
+BarImpact barImpact(const char* law) {
   Scene s = elasticScene(law, {-2, -2, -1}, {2, 2, 4});
   addBox(s, {-0.2, -0.2, 0.05}, {0.2, 0.2, 1.05}).velocity = {0, 0, -8};
   addFloor(s);
@@ -203,7 +201,7 @@ BarImpact barImpact(ElasticLaw law) {
 
 /// Returns the number of particles that are reported when a box of 64 is compressed slowly to a fraction of
 /// its length, far from inversion.
-std::int64_t reportedOfBox(ElasticLaw law, double volumeStiffness, double length) {
+std::int64_t reportedOfBox(const char* law, double volumeStiffness, double length) {
   Scene s = elasticScene(law, {-2, -2, -2}, {2, 2, 2});
   s.materials[0].volumeStiffness = volumeStiffness;
   addBox(s, {-0.2, -0.2, -0.2}, {0.2, 0.2, 0.2});
@@ -223,20 +221,20 @@ std::int64_t reportedOfBox(ElasticLaw law, double volumeStiffness, double length
 }  // namespace
 
 TEST(Stability, Row05Compression) {
-  EXPECT_GT(forceOfBar(ElasticLaw::Green, 0.6), forceOfBar(ElasticLaw::Green, 0.4));  // softens
-  EXPECT_LT(forceOfBar(ElasticLaw::Green, 0.1), 0.5 * forceOfBar(ElasticLaw::Green, 0.577));
+  EXPECT_GT(forceOfBar("green", 0.6), forceOfBar("green", 0.4));  // softens
+  EXPECT_LT(forceOfBar("green", 0.1), 0.5 * forceOfBar("green", 0.577));
   for (double x = 0.9; x > 0.05; x -= 0.05)
-    for (const ElasticLaw law : {ElasticLaw::NeoHookean, ElasticLaw::Corotated})
+    for (const char* const law : {"neo-hookean", "corotated"})
       EXPECT_GT(forceOfBar(law, x - 0.05), forceOfBar(law, x)) << x;
-  const BarImpact green = barImpact(ElasticLaw::Green), neoHookean = barImpact(ElasticLaw::NeoHookean),
-                  corotated = barImpact(ElasticLaw::Corotated);
+  const BarImpact green = barImpact("green"), neoHookean = barImpact("neo-hookean"),
+                  corotated = barImpact("corotated");
   // Reported from 0.577 on, only with Green strain without volume stiffness.
-  EXPECT_EQ(reportedOfBox(ElasticLaw::Green, 0, 0.58), 0);
-  EXPECT_EQ(reportedOfBox(ElasticLaw::Green, 0, 0.575), 64);
-  EXPECT_EQ(reportedOfBox(ElasticLaw::Green, 0, 0.1), 64);
-  EXPECT_EQ(reportedOfBox(ElasticLaw::Green, 1e5, 0.1), 0);
-  EXPECT_EQ(reportedOfBox(ElasticLaw::NeoHookean, 0, 0.1), 0);
-  EXPECT_EQ(reportedOfBox(ElasticLaw::Corotated, 0, 0.1), 0);
+  EXPECT_EQ(reportedOfBox("green", 0, 0.58), 0);
+  EXPECT_EQ(reportedOfBox("green", 0, 0.575), 64);
+  EXPECT_EQ(reportedOfBox("green", 0, 0.1), 64);
+  EXPECT_EQ(reportedOfBox("green", 1e5, 0.1), 0);
+  EXPECT_EQ(reportedOfBox("neo-hookean", 0, 0.1), 0);
+  EXPECT_EQ(reportedOfBox("corotated", 0, 0.1), 0);
   EXPECT_GT(green.squeezedFirst, 0);  // reported before inversion
   EXPECT_EQ(neoHookean.squeezed + corotated.squeezed, 0);
   measured(
@@ -244,11 +242,11 @@ TEST(Stability, Row05Compression) {
       "is "
       "inside out; pressed slowly: 0 of 64 reported at 0.58, 64 at 0.575",
       static_cast<long long>(green.squeezed), static_cast<long long>(green.squeezedFirst));
-  const auto softening = [](ElasticLaw law) { return forceOfBar(law, 0.1) / forceOfBar(law, 0.577); };
+  const auto softening = [](const char* law) { return forceOfBar(law, 0.1) / forceOfBar(law, 0.577); };
   measured(
       "force at 0.1 of the length over that at 0.577: green %.2f, neo-hookean %.2f, corotated %.2f; "
       "inversions counted in an impact at 0.8 c: %lld, %lld, %lld",
-      softening(ElasticLaw::Green), softening(ElasticLaw::NeoHookean), softening(ElasticLaw::Corotated),
+      softening("green"), softening("neo-hookean"), softening("corotated"),
       static_cast<long long>(green.inverted), static_cast<long long>(neoHookean.inverted),
       static_cast<long long>(corotated.inverted));
   EXPECT_GT(green.inverted, 100);

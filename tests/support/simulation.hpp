@@ -42,7 +42,7 @@ inline Material wax() {
   Material m;
   m.density = 900;
   m.young = {3e5, 0};
-  m.law = ElasticLaw::NeoHookean;
+  m.law.name = "neo-hookean";
   m.damping = 4;
   m.viscosity = {10, 10};
   m.conductivity = {300, 300};

@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "benchmarks/accuracy/trial.hpp"
-#include "core/materials/elastic_constants.hpp"
 #include "core/math/hash_random.hpp"
 #include "core/solid/elasticity/slot_state.hpp"
+#include "core/solid/laws/elastic_constants.hpp"
 
 namespace thaw::accuracy {
 

@@ -18,7 +18,7 @@ constexpr std::int64_t mostRequiredSnapshots = 64, mostHalvings = 60;
 
 bool recovers(const Material& m) {
   if (m.volumeStiffness > 0) return true;
-  return m.law == ElasticLaw::Extension ? boundLaw(m).law->resistsInversion : m.law != ElasticLaw::Green;
+  return boundLaw(m).law->resistsInversion;
 }
 
 /// Returns the step (s) of the clock without halvings; half of an unlimited step would be unlimited.

@@ -64,7 +64,7 @@ void addExtensions(World& w, StepTools& t) {
     if (e.pairForce.kernels.sum) addPairForce(w, t, e, settings);
   }
   for (const Material& m : w.scene.materials)
-    if (m.law == ElasticLaw::Extension) describe(w.modules, extensionOf(m.extensionLaw.name));
+    if (const Extension& law = extensionOf(m.law.name); !law.builtIn) describe(w.modules, law);
   for (const Body& b : w.scene.bodies) describeShape(w.modules, b.shape);
   for (const Obstacle& o : w.scene.obstacles) describeShape(w.modules, o.shape);
   for (const OrientedBody& b : w.scene.oriented) describeShape(w.modules, b.shape);

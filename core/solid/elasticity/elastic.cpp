@@ -2,8 +2,6 @@
 // Preparation of the bond loops (elastic_isa.cpp), and their scalar parts.
 #include "core/solid/elasticity/elastic.hpp"
 
-#include <bit>
-
 #include "core/solid/elasticity/elastic_kernels.hpp"
 #include "core/solid/elasticity/elastic_records.hpp"
 #include "core/solid/elasticity/rereference.hpp"
@@ -87,6 +85,17 @@ Mat3d laneMatrix(const double m[9][8], int l) {
   return {{{m[0][l], m[1][l], m[2][l]}, {m[3][l], m[4][l], m[5][l]}, {m[6][l], m[7][l], m[8][l]}}};
 }
 
+/// Lists the different laws of a group with their lanes.
+void listLaws(LaneConstants& c) {
+  c.laws = 0;
+  for (int l = 0; l < 8; l++) {
+    int k = 0;
+    while (k < c.laws && c.law[k] != c.constants[l].law) k++;
+    if (k == c.laws) c.law[c.laws] = c.constants[l].law, c.lanesOf[c.laws++] = 0;
+    c.lanesOf[k] |= 1u << l;
+  }
+}
+
 }  // namespace
 
 void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneConstants& out) {
@@ -98,14 +107,14 @@ void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneCon
     same = solids.material[s] == out.material && !(solids.liquid.active && solids.liquid[s] > 0);
   }
   if (!same) {
-    out.anyVolumeStiffness = out.anyGreen = out.anyNeoHookean = out.anyCorotated = out.anyExtension = false;
+    out.anyVolumeStiffness = false;
     out.material = solids.material[slot0];
     for (int l = 0; l < 8; l++) {
       const std::size_t s = slot0 + static_cast<std::size_t>(l);
       if (l >= n) {
-        out.lambda[l] = out.mu[l] = out.volumeStiffness[l] = out.neoHookean[l] = out.corotated[l] = 0;
+        out.lambda[l] = out.mu[l] = out.volumeStiffness[l] = 0;
         out.constants[l] = {};
-        out.constants[l].law = ElasticLaw::Green;
+        out.constants[l].law = out.constants[0].law;
         out.material = -1;
         continue;
       }
@@ -116,17 +125,9 @@ void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneCon
       out.lambda[l] = c.lambda;
       out.mu[l] = c.mu;
       out.volumeStiffness[l] = c.volume;
-      out.neoHookean[l] = c.law == ElasticLaw::NeoHookean;
-      out.corotated[l] = c.law == ElasticLaw::Corotated;
       out.anyVolumeStiffness = out.anyVolumeStiffness || c.volume > 0;
-      out.anyGreen = out.anyGreen || c.law == ElasticLaw::Green;
-      out.anyNeoHookean = out.anyNeoHookean || c.law == ElasticLaw::NeoHookean;
-      out.anyCorotated = out.anyCorotated || c.law == ElasticLaw::Corotated;
-      out.anyExtension = out.anyExtension || c.law == ElasticLaw::Extension;
     }
-    out.common = out.constants[0].bound;
-    for (const ElasticConstants& c : out.constants)
-      if (c.bound != out.common) out.common = nullptr;
+    listLaws(out);
   }
   for (int l = 0; l < 8; l++) {
     const std::size_t s = slot0 + static_cast<std::size_t>(l < n ? l : 0);
@@ -197,44 +198,6 @@ void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t slo
   if (a.flows && a.flow) a.flows[slot] = flow.flows;
   putLane(flow.elastic, lane, out.elastic);
   putLane(inverse, lane, out.inverse);
-}
-
-void takeLogarithms(double values[8]) {
-  for (int l = 0; l < 8; l++) values[l] = std::log(values[l]);
-}
-
-namespace {
-
-/// Copies the lanes of `group`, a bit each.
-void copyLanes(unsigned group, const double from[8], double to[8]) {
-  for (int l = 0; l < 8; l++)
-    if (group >> l & 1) to[l] = from[l];
-}
-
-}  // namespace
-
-void respondExtension(const LaneConstants& c, int n, const double gradU[9][8], double stress[9][8],
-                      double energy[8]) {
-  if (c.common)
-    return respondGroup(*c.common->law, {gradU, c.lambda, c.mu, c.common->values, stress, energy});
-  unsigned left = 0;
-  for (int l = 0; l < n; l++) left |= static_cast<unsigned>(c.constants[l].bound != nullptr) << l;
-  while (left != 0) {
-    const BoundLaw& bound = *c.constants[std::countr_zero(left)].bound;
-    unsigned group = 0;
-    for (int l = 0; l < n; l++) group |= static_cast<unsigned>(c.constants[l].bound == &bound) << l;
-    left &= ~group;
-    alignas(64) double here[9][8], psi[8];
-    respondGroup(*bound.law, {gradU, c.lambda, c.mu, bound.values, here, energy ? psi : nullptr});
-    for (int q = 0; q < 9; q++) copyLanes(group, here[q], stress[q]);
-    if (energy) copyLanes(group, psi, energy);
-  }
-}
-
-double respondLane(const ElasticConstants& c, const double gradU[9][8], int lane, double stress[9][8]) {
-  const ElasticResponse r = elasticResponse(c, laneMatrix(gradU, lane));
-  putLane(r.stress, lane, stress);
-  return r.energy;
 }
 
 ElasticResult computeDeformationAndStress(ElasticWork& work, Solids& solids, const Bonds& bonds,

@@ -21,12 +21,12 @@
 #include <vector>
 
 #include "core/ledger/ledger.hpp"
-#include "core/materials/elastic_constants.hpp"
 #include "core/particles/continuum.hpp"
 #include "core/particles/solids.hpp"
 #include "core/scene/modules.hpp"
 #include "core/scene/scene.hpp"
 #include "core/solid/bonds/weight.hpp"
+#include "core/solid/laws/elastic_constants.hpp"
 
 namespace thaw {
 
@@ -95,8 +95,8 @@ struct ElasticStep {
 
 struct ElasticResult {
   std::int64_t inverted = 0;  ///< particles with det F <= 0
-  std::int64_t squeezed = 0;  ///< particles with Green strain, no volume stiffness and a principal stretch
-                              ///< below sqrt(1/3), where the law weakens
+  std::int64_t squeezed = 0;  ///< particles without volume stiffness whose law weakens in compression
+                              ///< (core/solid/laws/law_point.hpp)
   double maxStretch2 = 1;     ///< upper bound of the squared principal elastic stretches (|Fe|^2 - 2)
   ElasticResult& operator+=(const ElasticResult& o) {
     inverted += o.inverted;

@@ -38,7 +38,7 @@ __attribute__((flatten)) void deformationOf(ElasticArrays& a) {
   using T = Lanes<Real>;
   BondLoader<Real, periodic, vectors> bonds(a);
   const T scale2(static_cast<Real>(bonds.scale() * bonds.scale()));
-  alignas(64) double gradU[9][8], stress[9][8], inverse[6][8], energy[8];
+  alignas(64) double gradU[9][8], inverse[6][8], energy[8];
   LaneConstants c;
   alignas(64) PlasticLanes plastic;
   T largest(Real(1));
@@ -75,8 +75,7 @@ __attribute__((flatten)) void deformationOf(ElasticArrays& a) {
     f.row[1].y += T(Real(1));
     f.row[2].z += T(Real(1));
 
-    const T lambda = fromDoubles<Real>(c.lambda), mu = fromDoubles<Real>(c.mu),
-            volume = fromDoubles<Real>(c.volume);
+    const T volume = fromDoubles<Real>(c.volume);
     // Laws take the elastic part Fe of F = Fe Fp.
     Mat3<T> elasticGradient = gradient, fe = f, plasticInverse{};
     if (a.plastic) {
@@ -91,34 +90,11 @@ __attribute__((flatten)) void deformationOf(ElasticArrays& a) {
       fe.row[1].y += T(Real(1));
       fe.row[2].z += T(Real(1));
     }
-    const Sym3<T> green = greenStrain(elasticGradient);
-
     // The formula of a lane depends on its own material only, never on the other slots of its group.
-    Mat3<T> piola{};
-    if (c.anyGreen) {
-      piola = greenStress(fe, green, lambda, mu);
-      if (a.energy) toDoubles(widen(greenEnergy(green, lambda, mu)), energy);
-    }
-    if (c.anyNeoHookean) {
-      const Mat3<T> other = neoHookeanStress(fe, lambda, mu);
-      const auto isOther = T(Real(0.5)) < fromDoubles<Real>(c.neoHookean);
-      for (int r = 0; r < 3; r++)
-        piola.row[r] = {select(isOther, other.row[r].x, piola.row[r].x),
-                        select(isOther, other.row[r].y, piola.row[r].y),
-                        select(isOther, other.row[r].z, piola.row[r].z)};
-    }
-    if (a.energy && !c.anyGreen) toDoubles(LanesD(0.0), energy);
-    if (a.energy && c.anyNeoHookean) addNeoHookeanEnergy({c, n, true}, widened(elasticGradient), energy);
-    if (c.anyCorotated) {
-      storeMatrix<Real>(piola, stress);
-      respondCorotated({c, n, a.energy}, widened(elasticGradient), stress, energy);
-      piola = loadMatrix<Real>(stress);
-    }
-    if (c.anyExtension) {
-      storeMatrix<Real>(piola, stress), storeMatrix<Real>(elasticGradient, plastic.elastic);
-      respondExtension(c, n, plastic.elastic, stress, a.energy ? energy : nullptr);
-      piola = loadMatrix<Real>(stress);
-    }
+    Mat3<T> piola;
+    const unsigned softened = respond<Real>({c, elasticGradient, fe, a.energy}, piola, energy);
+    for (int l = 0; softened != 0 && l < n; l++)
+      a.squeezed += (softened >> l & 1) && c.active[l] > 0 && !(c.volumeStiffness[l] > 0);
     if (c.anyVolumeStiffness) {
       const T stiffness = fromDoubles<Real>(c.volumeStiffness);
       piola = piola + volumeStress(fe, stiffness);
@@ -126,29 +102,10 @@ __attribute__((flatten)) void deformationOf(ElasticArrays& a) {
     }
     if (a.plastic) piola = piola + piola * transpose(plasticInverse);
 
-    // The Green law weakens where some principal stretch is below sqrt(1/3): 3 E + 1 = 3/2 C - 1/2 then has
-    // an eigenvalue < 0, which its leading minors detect. The test is skipped where |E| < 1/3 rules that out.
-    const T three(Real(3));
-    const auto squared = [](const Sym3<T>& e) {
-      return e.xx * e.xx + e.yy * e.yy + e.zz * e.zz + T(Real(2)) * (e.xy * e.xy + e.yz * e.yz + e.xz * e.xz);
-    };
-    if (c.anyGreen && any(T(Real(1) / 9) < squared(green))) {
-      const T one(Real(1));
-      const T xx = three * green.xx + one, yy = three * green.yy + one, zz = three * green.zz + one;
-      const T xy = three * green.xy, yz = three * green.yz, xz = three * green.xz;
-      const T second = xx * yy - xy * xy,
-              third = zz * second - xx * yz * yz - yy * xz * xz + (xy + xy) * yz * xz;
-      const T least = min(xx, min(second, third));
-      if (any(least < T(Real(0))))
-        for (int l = 0; l < n; l++)
-          a.squeezed += least[l] < 0 && c.active[l] > 0 && c.constants[l].law == ElasticLaw::Green &&
-                        !(c.volumeStiffness[l] > 0);
-    }
-
     // flux = V P A^-1 - k grad u
     Mat3<T> flux = volume * times(piola, momentInverse) - fromDoubles<Real>(c.hourglass) * gradient;
     if (a.singularLanes[g] != 0) {
-      alignas(64) double sums[9][8], fluxes[9][8];
+      alignas(64) double sums[9][8], stress[9][8], fluxes[9][8];
       storeMatrix<Real>(sum, sums), storeMatrix<Real>(piola, stress), storeMatrix<Real>(flux, fluxes);
       for (int l = 0; l < n; l++)
         if (a.singularLanes[g] >> l & 1)

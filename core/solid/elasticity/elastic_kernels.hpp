@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/materials/elastic_constants.hpp"
 #include "core/math/mat3.hpp"
 #include "core/scene/scene.hpp"
+#include "core/solid/laws/elastic_constants.hpp"
 
 namespace thaw {
 
@@ -66,11 +66,12 @@ struct ElasticArrays {
 struct alignas(64) LaneConstants {
   // hourglass: k, N/m; drag: kg/s.
   double lambda[8], mu[8], volumeStiffness[8], volume[8], hourglass[8], drag[8];
-  double neoHookean[8], corotated[8];  // 1: that law, else 0
-  double active[8];                    // 0: no slot, or a passive one
+  double active[8];  // 0: no slot, or a passive one
   ElasticConstants constants[8];
-  bool anyVolumeStiffness, anyGreen, anyNeoHookean, anyCorotated, anyExtension;
-  const BoundLaw* common;  ///< law of all lanes; null: they differ, or have a built-in law
+  bool anyVolumeStiffness;
+  int laws;                // different laws in the group
+  const BoundLaw* law[8];  // the first `laws`, in the order of lanes
+  unsigned lanesOf[8];     // lanes of each law, a bit each
   int material = -1;       // common material of all lanes if fully solid; else -1
 };
 
@@ -92,14 +93,6 @@ struct PlasticLanes {
 };
 void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const double gradU[9][8],
               int lane, PlasticLanes& out);
-/// Sets the stress and, if not null, the energy density (Pa) of lanes with the law of an extension. Other
-/// lanes stay. gradU, stress: by [row][column][lane].
-void respondExtension(const LaneConstants& c, int n, const double gradU[9][8], double stress[9][8],
-                      double energy[8]);
-/// Takes natural logarithms in place, by the math library that all instruction sets share.
-void takeLogarithms(double values[8]);
-/// Computes the stress of one lane by elasticResponse and returns the energy density (Pa).
-double respondLane(const ElasticConstants& c, const double gradU[9][8], int lane, double stress[9][8]);
 
 struct ElasticKernels {
   const char* name;  ///< "avx512", "avx2", "base"

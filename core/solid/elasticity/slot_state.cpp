@@ -154,7 +154,8 @@ Mat3d slotGradient(const ElasticWork& work, const Solids& solids, const Bonds& b
 ElasticConstants slotConstants(const ElasticWork& work, const Solids& solids, std::size_t slot) {
   const std::size_t m = solids.material[slot];
   const double liquid = solids.liquid.active ? static_cast<double>(solids.liquid[slot]) : 0;
-  return liquid > 0 ? elasticConstants(work.materials[m], liquid) : work.solidConstants[m];
+  const ElasticConstants& solid = work.solidConstants[m];
+  return liquid > 0 ? elasticConstants(work.materials[m], liquid, *solid.law) : solid;
 }
 
 double slotEnergy(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot) {

@@ -20,11 +20,8 @@ double plasticStretch(const Mat3d& plasticInverse) {
 
 /// Largest tangent modulus up to a squared stretch, over that at rest.
 double stiffeningOf(const ElasticConstants& c, double maxStretch2) {
-  if (c.law == ElasticLaw::Green)
-    return std::max(1.0, 1.5 * maxStretch2 - 0.5);  // Green strain: (3 stretch^2 - 1)/2
-  if (c.law == ElasticLaw::Extension && c.bound->law->stiffening)
-    return std::max(1.0, c.bound->law->stiffening(maxStretch2, c.bound->values));
-  return 1;
+  const ElasticLaw& law = *c.law->law;
+  return law.stiffening ? std::max(1.0, law.stiffening(maxStretch2, c.law->values)) : 1;
 }
 
 double largestPlasticStrainBound(const ElasticWork& work, const Solids& solids) {

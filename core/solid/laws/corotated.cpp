@@ -37,4 +37,13 @@ Mat3d nearestRotation(const Mat3d& f) {
   return rotationBySvd(f);
 }
 
+void nearestRotationOfLane(const double f[9][8], int lane, double rotation[9][8]) {
+  Mat3d m;
+  for (int r = 0; r < 3; r++)
+    for (int c = 0; c < 3; c++) m.row[r][c] = f[3 * r + c][lane];
+  m = nearestRotation(m);
+  for (int r = 0; r < 3; r++)
+    for (int c = 0; c < 3; c++) rotation[3 * r + c][lane] = m.row[r][c];
+}
+
 }  // namespace thaw

@@ -28,6 +28,8 @@ inline constexpr double newtonsEnd = 1e-16;
 /// Returns the rotation R (det R = +1) that maximises tr(R^T F), from the polar decomposition. If det F < 0,
 /// the smallest singular value counts as negative. Any F is valid, zero included.
 Mat3d nearestRotation(const Mat3d& f);
+/// The same for one lane; by [row][column][lane].
+void nearestRotationOfLane(const double f[9][8], int lane, double rotation[9][8]);
 
 /// psi (Pa) and first Piola stress P = 2 mu (F - R) + lambda tr(R^T F - 1) R (Pa) for a given R.
 template<class T> T corotatedEnergy(const Mat3<T>& f, const Mat3<T>& r, const T& lambda, const T& mu) {
@@ -39,11 +41,24 @@ template<class T> Mat3<T> corotatedStress(const Mat3<T>& f, const Mat3<T>& r, co
   const Mat3<T> d = f - r;
   return (mu + mu) * d + (lambda * doubleDot(r, d)) * r;
 }
-/// Principal Kirchhoff stresses (Pa) for these principal stretches.
-inline Vec3d corotatedPrincipal(const Vec3d& stretch, double lambda, double mu) {
-  const double p = lambda * (stretch.x + stretch.y + stretch.z - 3);
-  return {stretch.x * (p + 2 * mu * (stretch.x - 1)), stretch.y * (p + 2 * mu * (stretch.y - 1)),
-          stretch.z * (p + 2 * mu * (stretch.z - 1))};
-}
+
+struct CorotatedLaw : LawDefaults {
+  static constexpr const char* name = "corotated";
+  static constexpr const char* about =
+      "linear in stretch and invariant to rotation, also for inverted particles (Mueller and Gross 2004)";
+  static constexpr bool resistsInversion = true, boundsStress = true;  // F - R cancels at small strains
+  template<class T> static Mat3<T> shared(const LawPoint<T>& at) { return nearestRotation(at.f); }
+  template<class T> static Mat3<T> stress(const LawPoint<T>& at, const Mat3<T>& rotation) {
+    return corotatedStress(at.f, rotation, at.lambda, at.mu);
+  }
+  template<class T> static T energy(const LawPoint<T>& at, const Mat3<T>& rotation) {
+    return corotatedEnergy(at.f, rotation, at.lambda, at.mu);
+  }
+  static Vec3d principal(const Vec3d& stretch, double lambda, double mu, const LawValues&) {
+    const double p = lambda * (stretch.x + stretch.y + stretch.z - 3);
+    return {stretch.x * (p + 2 * mu * (stretch.x - 1)), stretch.y * (p + 2 * mu * (stretch.y - 1)),
+            stretch.z * (p + 2 * mu * (stretch.z - 1))};
+  }
+};
 
 }  // namespace thaw

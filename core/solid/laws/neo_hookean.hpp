@@ -2,7 +2,7 @@
 // Stable Neo-Hookean energy: defined and smooth for every F, inverted ones included
 // (SGK18 eq. 14).
 #pragma once
-#include "core/math/mat3.hpp"
+#include "core/solid/laws/law_point.hpp"
 
 namespace thaw {
 
@@ -44,13 +44,25 @@ template<class T> Mat3<T> neoHookeanStress(const Mat3<T>& f, const T& lameLambda
   const T a = k.mu * (T(1.0) - T(1.0) / (square + T(1.0))), b = k.lambda * (j - T(1.0)) - T(0.75) * k.mu;
   return a * f + b * c;
 }
-/// Principal Kirchhoff stresses (Pa) for these principal stretches.
-inline Vec3d neoHookeanPrincipal(const Vec3d& stretch, double lameLambda, double lameMu) {
-  const NeoHookeanConstants<double> k(lameLambda, lameMu);
-  const Vec3d t{stretch.x * stretch.x, stretch.y * stretch.y, stretch.z * stretch.z};
-  const double j = stretch.x * stretch.y * stretch.z, a = k.mu * (1 - 1 / (t.x + t.y + t.z + 1));
-  const double b = j * (k.lambda * (j - 1) - 0.75 * k.mu);
-  return {a * t.x + b, a * t.y + b, a * t.z + b};
-}
+
+struct NeoHookeanLaw : LawDefaults {
+  static constexpr const char* name = "neo-hookean";
+  static constexpr const char* about =
+      "stable Neo-Hookean energy of Smith et al. 2018, also for inverted particles";
+  static constexpr bool doubleStress = false, resistsInversion = true, boundsStress = true;
+  template<class T> static Mat3<T> stress(const LawPoint<T>& at) {
+    return neoHookeanStress(at.f, at.lambda, at.mu);
+  }
+  template<class T> static T energy(const LawPoint<T>& at) {
+    return neoHookeanEnergy(at.f, at.lambda, at.mu, logarithm(neoHookeanLogged(at.f)));
+  }
+  static Vec3d principal(const Vec3d& stretch, double lameLambda, double lameMu, const LawValues&) {
+    const NeoHookeanConstants<double> k(lameLambda, lameMu);
+    const Vec3d t{stretch.x * stretch.x, stretch.y * stretch.y, stretch.z * stretch.z};
+    const double j = stretch.x * stretch.y * stretch.z, a = k.mu * (1 - 1 / (t.x + t.y + t.z + 1));
+    const double b = j * (k.lambda * (j - 1) - 0.75 * k.mu);
+    return {a * t.x + b, a * t.y + b, a * t.z + b};
+  }
+};
 
 }  // namespace thaw

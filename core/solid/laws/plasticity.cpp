@@ -60,7 +60,8 @@ double returnTo(const RadialPath& path, double target, double high, double most)
 }
 
 /// Returns true if the stress is certainly below the yield stress, which saves the eigenvalues. The factor
-/// bounds |dev sigma|/2G over |dev E| for all built-in laws (test Plasticity.SkippedGroupsAreBelowYield).
+/// bounds |dev sigma|/2G over |dev E| for laws with boundsStress (test
+/// Plasticity.SkippedGroupsAreBelowYield).
 bool surelyBelow(const ElasticConstants& c, const Sym3d& strain, double yield) {
   const double size = norm(strain);
   return size < 0.1 && norm(deviator(strain)) * (c.mu + (8 * c.mu + 4 * c.lambda) * size) < yield * c.mu;
@@ -94,7 +95,7 @@ PlasticFlow plasticFlow(const ElasticConstants& c, const Mat3d& gradU, const Pla
   const Sym3d strain = greenStrain(none.elastic);
   RadialPath path{c};
   path.yield = c.yield + c.hardening * before.path;
-  if (c.law != ElasticLaw::Extension && surelyBelow(c, strain, path.yield)) return none;
+  if (c.law->law->boundsStress && surelyBelow(c, strain, path.yield)) return none;
   const SymEigen axes = eigenOf(strain);
   for (int k = 0; k < 3; k++) {
     if (!(axes.value[k] > -0.5)) return none;

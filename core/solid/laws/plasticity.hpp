@@ -8,8 +8,8 @@
 // the yield surface. Small strains give the additive plastic strain of OBH02. Split and logarithmic return:
 // S92.
 #pragma once
-#include "core/materials/elastic_constants.hpp"
 #include "core/math/mat3.hpp"
+#include "core/solid/laws/elastic_constants.hpp"
 
 namespace thaw {
 

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/solid/laws/response.hpp"
 
-#include <cmath>
-
-#include "core/solid/laws/corotated.hpp"
-#include "core/solid/laws/green.hpp"
 #include "core/solid/laws/plasticity.hpp"
 #include "core/solid/laws/volume.hpp"
 
@@ -12,20 +8,8 @@ namespace thaw {
 
 ElasticResponse elasticResponse(const ElasticConstants& c, const Mat3d& gradU) {
   const Mat3d f = identity3<double>() + gradU;
-  ElasticResponse r;
-  if (c.law == ElasticLaw::Green) {
-    const Sym3d strain = greenStrain(gradU);
-    r = {greenEnergy(strain, c.lambda, c.mu), greenStress(f, strain, c.lambda, c.mu)};
-  } else if (c.law == ElasticLaw::NeoHookean) {
-    r = {neoHookeanEnergy(f, c.lambda, c.mu, std::log(neoHookeanLogged(f))),
-         neoHookeanStress(f, c.lambda, c.mu)};
-  } else if (c.law == ElasticLaw::Extension) {
-    const LawResponse one = responseOf(*c.bound, gradU, c.lambda, c.mu);
-    r = {one.energy, one.stress};
-  } else {
-    const Mat3d rotation = nearestRotation(f);
-    r = {corotatedEnergy(f, rotation, c.lambda, c.mu), corotatedStress(f, rotation, c.lambda, c.mu)};
-  }
+  const LawResponse law = responseOf(*c.law, gradU, c.lambda, c.mu);
+  ElasticResponse r{law.energy, law.stress};
   if (c.volume > 0) {
     r.energy += volumeEnergy(f, c.volume);
     r.stress = r.stress + volumeStress(f, c.volume);
@@ -40,10 +24,7 @@ ElasticResponse elasticResponse(const ElasticConstants& c, const Mat3d& gradU, c
 }
 
 Vec3d principalKirchhoff(const ElasticConstants& c, const Vec3d& stretch) {
-  if (c.law == ElasticLaw::Green) return greenPrincipal(stretch, c.lambda, c.mu);
-  if (c.law == ElasticLaw::NeoHookean) return neoHookeanPrincipal(stretch, c.lambda, c.mu);
-  if (c.law == ElasticLaw::Extension) return principalOf(*c.bound, stretch, c.lambda, c.mu);
-  return corotatedPrincipal(stretch, c.lambda, c.mu);
+  return principalOf(*c.law, stretch, c.lambda, c.mu);
 }
 
 Sym3d cauchyStress(const Mat3d& piola, const Mat3d& gradU) {

@@ -2,8 +2,8 @@
 // Energy and stress of a material at one particle: law, plastic flow and volume force. Vector form:
 // core/solid/elasticity/law_lanes.hpp. To add a law: docs/developer/extend.md.
 #pragma once
-#include "core/materials/elastic_constants.hpp"
 #include "core/math/mat3.hpp"
+#include "core/solid/laws/elastic_constants.hpp"
 
 namespace thaw {
 

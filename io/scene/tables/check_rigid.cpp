@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/domain/extensions.hpp"
 #include "core/scene/modules.hpp"
 #include "io/scene/tables/read_sections.hpp"
 
@@ -29,7 +30,7 @@ void checkRigidify(const SceneReading& x, std::vector<SceneError>& errors) {
       refuse(is, fmt::format("{} of material '{}'", what, m.name));
     };
     property(m.isRigid(), "`law = \"rigid\"`");
-    property(m.law == ElasticLaw::Extension, "the extension law");
+    property(!findExtension(m.law.name)->builtIn, "the extension law");
     property(m.yieldStrain.solid < never || m.yieldStrain.liquid < never, "`yield_strain`");
     property(m.breakStretch < never, "`break_stretch`");
   }

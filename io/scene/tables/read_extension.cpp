@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/scene/tables/read_extension.hpp"
 
+#include <algorithm>
+#include <stdexcept>
+
 #include "core/domain/extensions.hpp"
 #include "io/frames/frame_fields.hpp"
 
@@ -35,7 +38,8 @@ std::string otherUses(const Extension& e) {
 void readExtension(TableReader& r, ExtensionSettings& settings, SceneReading&) {
   const Extension* e = findExtension(settings.name);
   if (!e && r.reading()) {
-    const std::string known = joined(extensionNames());
+    const std::string known = joined(
+        extensionNames([](const Extension& other) { return other.usesTable() || !other.builtIn; }));
     r.fail(r.place(), r.path() + ": unknown extension; this program has " + (known.empty() ? "none" : known));
     r.ignoreKeys();
   }
@@ -47,34 +51,27 @@ void readExtension(TableReader& r, ExtensionSettings& settings, SceneReading&) {
 }
 
 void readLaw(TableReader& r, Material& m) {
-  std::vector<std::string> words{"green", "neo-hookean", "corotated", "rigid"};  // as in ElasticLaw
-  const std::size_t builtIn = words.size();
-  for (const std::string& name : extensionNames([](const Extension& e) { return e.hasLaw(); }))
-    words.push_back(name);
-  int law = static_cast<int>(m.law);
-  if (m.law == ElasticLaw::Extension)
-    for (std::size_t k = builtIn; k < words.size(); k++)
-      if (words[k] == m.extensionLaw.name) law = static_cast<int>(k);
+  const std::vector<std::string> names = lawNames();
+  int law = static_cast<int>(std::find(names.begin(), names.end(), m.law.name) - names.begin());
+  if (law == static_cast<int>(names.size()))  // a scene made in code
+    throw std::invalid_argument("material '" + m.name + "': unknown elastic law '" + m.law.name +
+                                "'; expected one of " + joined(names));
+  std::string about = "elastic energy";
+  for (const std::string& name : names) about += ". \"" + name + "\": " + findExtension(name)->about;
   // Pieces are part of the state, so a run cannot change to or from them.
-  r.as(m.isRigid() ? Restart::State : Restart::Coefficient)
-      .choice("law", law, words,
-              "elastic energy. \"green\": Green strain with Hooke's law, as in Mueller et al. 2004. "
-              "\"neo-hookean\", \"corotated\": laws of these names. \"rigid\": connected particles move as "
-              "one rigid body until they melt; `poisson`, `volume_stiffness`, `hourglass` and `damping` are "
-              "then not "
-              "used, and young only with strength");
-  if (law < static_cast<int>(builtIn)) {
-    m.law = static_cast<ElasticLaw>(law);
-    return;
+  r.as(m.isRigid() ? Restart::State : Restart::Coefficient).choice("law", law, names, about.c_str());
+  const std::string& chosen = names[static_cast<std::size_t>(law)];
+  if (r.reading()) m.law = {.name = chosen, .values = {}};
+  for (const std::string& name : names) {
+    const Extension& e = *findExtension(name);
+    if (e.keys.empty() || !(name == chosen || r.describing())) continue;
+    ExtensionSettings described;
+    ExtensionSettings& settings = name == chosen ? m.law : described;
+    if (r.reading() && !r.has(name))  // all defaults
+      for (const ExtensionKey& key : e.keys) settings.values[key.name] = key.standard;
+    r.table(name.c_str(), ("law = \"" + name + "\": " + e.about).c_str(),
+            [&](TableReader& keys) { readKeys(keys, e, settings); });
   }
-  m.law = ElasticLaw::Extension;
-  const Extension& e = *findExtension(words[static_cast<std::size_t>(law)]);
-  m.extensionLaw.name = e.name;
-  const auto read = [&](TableReader& keys) { readKeys(keys, e, m.extensionLaw); };
-  if (e.keys.empty()) return;
-  if (r.reading() && !r.has(e.name))  // all defaults
-    for (const ExtensionKey& key : e.keys) m.extensionLaw.values[key.name] = key.standard;
-  r.table(e.name.c_str(), e.about.c_str(), read);
 }
 
 std::vector<std::string> extensionShapes() {

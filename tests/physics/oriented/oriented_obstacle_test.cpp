@@ -124,7 +124,7 @@ TEST(OrientedObstacle, BirthsInContactAreNotEjected) {
   s.materials[0].name = "wax";
   s.materials[0].density = 900;
   s.materials[0].young = {1.5e5, 1.5e5};
-  s.materials[0].law = ElasticLaw::NeoHookean;
+  s.materials[0].law.name = "neo-hookean";
   s.materials[0].damping = 4;
   Body& ball = test::addBox(s, {}, {});
   ball.shape = Shape{};

@@ -20,7 +20,7 @@ TEST(CrushedBody, EnergyOfParticlesPushedOutIsRecorded) {
   m.density = 2000;
   m.young = {600, 0};
   m.poisson = {0.15, 0.15};
-  m.law = ElasticLaw::NeoHookean;
+  m.law.name = "neo-hookean";
   m.friction = 0.4;
   s.materials.push_back(m);
   test::addBox(s, {-0.025, -0.025, 0.01}, {0.025, 0.025, 0.06}).velocity = {0, 0.5, -1.5};

@@ -37,10 +37,10 @@ void advance(Moving& m, double dt) {
 }
 
 /// Largest deviation of the total energy over a time, relative to the initial kinetic energy.
-double energyError(ElasticLaw law, double dt, Precision precision) {
+double energyError(const char* law, double dt, Precision precision) {
   const auto points = lattice({8, 4, 4}, 0.1, 0.1);
   Material m = elasticMaterial(1e5, 0.3);
-  m.law = law;
+  m.law.name = law;
   m.hourglass = 0.5;
   BodyOptions options;
   options.precision = precision;
@@ -59,14 +59,14 @@ double energyError(ElasticLaw law, double dt, Precision precision) {
 }  // namespace
 
 TEST(ElasticBody, EnergyErrorOfFreeVibrationIsOfSecondOrder) {
-  for (const ElasticLaw law : {ElasticLaw::Green, ElasticLaw::NeoHookean, ElasticLaw::Corotated}) {
+  for (const char* const law : {"green", "neo-hookean", "corotated"}) {
     const double coarse = energyError(law, 2e-3, Precision::Double),
                  fine = energyError(law, 1e-3, Precision::Double);
-    std::printf("law %d: energy error %.2e at dt, %.2e at dt/2\n", int(law), coarse, fine);
-    EXPECT_LT(coarse, 5e-3) << int(law);
-    EXPECT_LT(fine, 0.3 * coarse) << int(law);
+    std::printf("%s: energy error %.2e at dt, %.2e at dt/2\n", law, coarse, fine);
+    EXPECT_LT(coarse, 5e-3) << law;
+    EXPECT_LT(fine, 0.3 * coarse) << law;
   }
-  const double single = energyError(ElasticLaw::Green, 5e-4, Precision::Single);
+  const double single = energyError("green", 5e-4, Precision::Single);
   std::printf("single precision: energy error %.2e at dt/4\n", single);
   EXPECT_LT(single, 5e-4);
 }

@@ -12,14 +12,14 @@ namespace {
 using test::Simulation;
 
 /// Returns the unexplained energy of the impact over the kinetic energy before it.
-double lostInImpact(ElasticLaw law, double maxPlasticStrain) {
+double lostInImpact(const char* law, double maxPlasticStrain) {
   Scene s = test::emptyScene(0.01, {0, 0, 0}, {0.4, 0.4, 0.3});
   s.domain.side[2][0] = Side::Wall;
   Material m;
   m.density = 1200;
   m.young = {5e4, 0};
   m.poisson = {0.3, 0.3};
-  m.law = law;
+  m.law.name = law;
   m.yieldStrain = {0.02, 0.02};
   m.creepRate = {never, never};
   m.maxPlasticStrain = maxPlasticStrain;
@@ -36,14 +36,14 @@ double lostInImpact(ElasticLaw law, double maxPlasticStrain) {
 
 // Nearly all of the body flows, so most references are renewed while it is compressed.
 TEST(PlasticImpact, LedgerClosesWithNewReferences) {
-  for (const ElasticLaw law : {ElasticLaw::NeoHookean, ElasticLaw::Corotated})
-    EXPECT_NEAR(lostInImpact(law, never), 0, 0.01) << static_cast<int>(law);
+  for (const char* const law : {"neo-hookean", "corotated"})
+    EXPECT_NEAR(lostInImpact(law, never), 0, 0.01) << law;
 }
 
 // Past the limit the stress changes by a multiple of the yield stress in a step.
 TEST(PlasticImpact, LedgerClosesAtTheLimitOfPlasticStrain) {
-  for (const ElasticLaw law : {ElasticLaw::NeoHookean, ElasticLaw::Corotated})
-    EXPECT_NEAR(lostInImpact(law, 0.3), 0, 0.01) << static_cast<int>(law);
+  for (const char* const law : {"neo-hookean", "corotated"})
+    EXPECT_NEAR(lostInImpact(law, 0.3), 0, 0.01) << law;
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ Scene basin() {
   s.materials[0].viscosity = {1, 1};
   s.materials[1].name = "rubber";
   s.materials[1].young = {1e5, 1e5};
-  s.materials[1].law = ElasticLaw::NeoHookean;
+  s.materials[1].law.name = "neo-hookean";
   for (Material& m : s.materials) m.conductivity = {50, 50};
   return s;
 }

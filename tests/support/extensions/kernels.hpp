@@ -2,7 +2,7 @@
 // Functions of test extensions on lanes (kernels_isa.cpp).
 #pragma once
 #include "core/fluid/pair_sums/extension_pair_force.hpp"
-#include "core/materials/extension_law.hpp"
+#include "core/solid/laws/elastic_law.hpp"
 
 namespace thaw::test {
 

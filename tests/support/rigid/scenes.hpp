@@ -9,7 +9,7 @@ inline Material stone(double density = 2500) {
   Material m;
   m.name = "stone";
   m.density = density;
-  m.law = ElasticLaw::Rigid;
+  m.law.name = "rigid";
   return m;
 }
 
@@ -17,7 +17,7 @@ inline Material stone(double density = 2500) {
 inline Material rigidWax() {
   Material m = wax();
   m.name = "wax";
-  m.law = ElasticLaw::Rigid;
+  m.law.name = "rigid";
   m.young = m.poisson = {};
   m.damping = m.hourglass = 0;
   m.hysteresis = 0.3;

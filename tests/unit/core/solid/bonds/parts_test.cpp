@@ -120,9 +120,9 @@ TEST(SolidParts, TwoPartsHaveTheBitsOfTheWhole) {
   m.creepRate = {never, never};
   other.breakStretch = 1.3;
   other.damping = 3;
-  other.law = ElasticLaw::Corotated;
+  other.law.name = "corotated";
   Material third = elasticMaterial(2e5, 0.25);
-  third.law = ElasticLaw::NeoHookean;
+  third.law.name = "neo-hookean";
   third.volumeStiffness = 1e5;
   for (const Precision precision : {Precision::Single, Precision::Double}) {
     BodyOptions options;

@@ -42,9 +42,9 @@ TEST(Deformation, GradientIsExactOnAJitteredLattice) {
 
 TEST(Deformation, RigidRotationHasNoStrainNoForceNoEnergy) {
   const auto points = lattice({5, 5, 5}, 0.1, 0.2);
-  for (const ElasticLaw law : {ElasticLaw::Green, ElasticLaw::NeoHookean, ElasticLaw::Corotated}) {
+  for (const char* const law : {"green", "neo-hookean", "corotated"}) {
     Material m = elasticMaterial();
-    m.law = law;
+    m.law.name = law;
     m.volumeStiffness = 1e5;
     m.hourglass = 0.3;
     const auto b = makeBody(points, {m});
@@ -66,7 +66,7 @@ TEST(Deformation, ConservesMomentumAndAngularMomentum) {
   const auto points = lattice({6, 5, 4}, 0.1, 0.2);
   for (const Precision precision : {Precision::Double, Precision::Single}) {
     Material soft = elasticMaterial(3e5, 0.4), hard = elasticMaterial(2e6, 0.1);
-    hard.law = ElasticLaw::NeoHookean;
+    hard.law.name = "neo-hookean";
     hard.damping = 5;
     BodyOptions options;
     options.precision = precision;
@@ -176,13 +176,13 @@ TEST(Deformation, SingularNeighbourhoodsAreCountedAndStayFinite) {
 
 TEST(Deformation, InversionIsCountedAndUndone) {
   const auto points = lattice({4, 4, 4}, 0.1);
-  for (const ElasticLaw law : {ElasticLaw::Green, ElasticLaw::NeoHookean, ElasticLaw::Corotated}) {
+  for (const char* const law : {"green", "neo-hookean", "corotated"}) {
     Material m = elasticMaterial();
-    m.law = law;
+    m.law.name = law;
     const auto b = makeBody(points, {m});
     moveAll(*b, points, [](const Vec3d& x) { return Vec3d{-x.x, x.y, x.z}; });
     EXPECT_EQ(computeForces(*b).inverted, 64);
-    if (law == ElasticLaw::Green)
+    if (std::string_view(law) == "green")
       EXPECT_LT(totalEnergy(*b), 1e-9);  // the papers' law does not detect inversion
     else EXPECT_GT(totalEnergy(*b), 1e3);
   }
@@ -191,11 +191,11 @@ TEST(Deformation, InversionIsCountedAndUndone) {
 TEST(Deformation, SameBitsForEveryInstructionSet) {
   const auto points = lattice({5, 6, 7}, 0.1, 0.2);
   for (const Precision precision : {Precision::Double, Precision::Single})
-    for (const ElasticLaw law : {ElasticLaw::Green, ElasticLaw::NeoHookean, ElasticLaw::Corotated}) {
+    for (const char* const law : {"green", "neo-hookean", "corotated"}) {
       BodyOptions options;
       options.precision = precision;
       Material m = elasticMaterial();
-      m.law = law;
+      m.law.name = law;
       std::vector<Vec3d> first;
       for (const char* isa : {"base", "avx2", "avx512"}) {
         const ElasticKernels* kernels = elasticKernels(isa);
@@ -208,7 +208,7 @@ TEST(Deformation, SameBitsForEveryInstructionSet) {
         EXPECT_GT(computeForces(*b).inverted, 0);
         std::vector<Vec3d> forces(b->solids.force.data(), b->solids.force.data() + points.size());
         if (first.empty()) first = forces;
-        EXPECT_TRUE(first == forces) << isa << ' ' << int(law);
+        EXPECT_TRUE(first == forces) << isa << ' ' << law;
       }
     }
 }
@@ -229,9 +229,9 @@ TEST(Deformation, ShortcutAtTheReferenceHasTheSameBits) {
   points.push_back({2, 0, 0});  // isolated
   points.push_back({3, 0, 0});  // a row of two
   points.push_back({3.1, 0, 0.02});
-  for (const ElasticLaw law : {ElasticLaw::Green, ElasticLaw::NeoHookean, ElasticLaw::Corotated}) {
+  for (const char* const law : {"green", "neo-hookean", "corotated"}) {
     Material m = elasticMaterial();
-    m.law = law;
+    m.law.name = law;
     const auto b = makeBody(points, {m});
     computeForces(*b);
     ASSERT_TRUE(atReference(b->solids));

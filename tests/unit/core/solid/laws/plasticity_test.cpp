@@ -11,12 +11,12 @@ using namespace thaw::test;
 
 namespace {
 
-constexpr ElasticLaw allLaws[]{ElasticLaw::Green, ElasticLaw::NeoHookean, ElasticLaw::Corotated};
+constexpr const char* allLaws[]{"green", "neo-hookean", "corotated"};
 const Mat3d one = identity3<double>();
 
-ElasticConstants yielding(ElasticLaw law, double yield, double creep = never, double hardening = 0) {
+ElasticConstants yielding(const char* law, double yield, double creep = never, double hardening = 0) {
   Material m = elasticMaterial(1e6, 0.3);
-  m.law = law;
+  m.law.name = law;
   m.yieldStrain = {yield, yield};
   m.creepRate = {creep, creep};
   m.hardening = hardening;
@@ -86,46 +86,45 @@ Mat3d noiseMatrix(std::uint64_t n, double size) {
 }  // namespace
 
 TEST(Plasticity, UniaxialCompressionToHalfHoldsThePlateau) {
-  for (const ElasticLaw law : allLaws)
+  for (const char* const law : allLaws)
     for (const double yield : {0.002, 0.01, 0.05}) {
       Point p{yielding(law, yield)};
       const double plateau = std::sqrt(6.0) * p.c.mu * yield;
       for (double x = 1; x > 0.5; x -= 0.005) {
         driveUniaxially(p, x);
         if (x > 1 - 5 * yield) continue;
-        EXPECT_NEAR(-p.stress().xx, plateau, 1e-7 * plateau) << int(law) << ' ' << x;
+        EXPECT_NEAR(-p.stress().xx, plateau, 1e-7 * plateau) << law << ' ' << x;
       }
       EXPECT_NEAR(p.volumeOfFlow(), 1, 1e-12);
     }
 }
 
 TEST(Plasticity, SimpleShearTo200PercentHoldsThePlateau) {
-  for (const ElasticLaw law : allLaws)
+  for (const char* const law : allLaws)
     for (const double yield : {0.002, 0.01, 0.05}) {
       Point p{yielding(law, yield)};
       for (double g = 0; g < 2; g += 0.01) {
         p.drive({{{1, g, 0}, {0, 1, 0}, {0, 0, 1}}});
         if (g < 5 * yield) continue;
-        EXPECT_NEAR(p.size(), yield, 1e-12 * yield + 1e-15) << int(law) << ' ' << g;
-        EXPECT_NEAR(p.stress().xy, std::sqrt(2.0) * p.c.mu * yield, 0.1 * p.c.mu * yield)
-            << int(law) << ' ' << g;
+        EXPECT_NEAR(p.size(), yield, 1e-12 * yield + 1e-15) << law << ' ' << g;
+        EXPECT_NEAR(p.stress().xy, std::sqrt(2.0) * p.c.mu * yield, 0.1 * p.c.mu * yield) << law << ' ' << g;
       }
       EXPECT_NEAR(p.volumeOfFlow(), 1, 1e-12);
     }
 }
 
 TEST(Plasticity, HardeningFollowsTheEquivalentPlasticStrain) {
-  for (const ElasticLaw law : allLaws) {
+  for (const char* const law : allLaws) {
     Point p{yielding(law, 0.01, never, 5e4)};
     for (double x = 1; x > 0.5; x -= 0.005) driveUniaxially(p, x);
     const double expected = std::sqrt(6.0) * p.c.mu * 0.01 + 5e4 * p.state.path;
-    EXPECT_NEAR(-p.stress().xx, expected, 1e-7 * expected) << int(law);
+    EXPECT_NEAR(-p.stress().xx, expected, 1e-7 * expected) << law;
     EXPECT_NEAR(p.state.path, -std::log(p.f.row[0].x), expected / 1e6 + 0.01);  // without the elastic strain
   }
 }
 
 TEST(Plasticity, RotationsDoNotMatter) {
-  for (const ElasticLaw law : allLaws) {
+  for (const char* const law : allLaws) {
     Point still{yielding(law, 0.01, 300)}, turned{still};
     for (int n = 1; n <= 50; n++) {
       const Mat3d f = one + (0.02 * n) * Mat3d{{{0.3, 0.5, 0}, {0, -0.2, 0.3}, {0.1, 0, 0.1}}};
@@ -133,38 +132,38 @@ TEST(Plasticity, RotationsDoNotMatter) {
       still.drive(f);
       turned.drive(r * f);
       const Mat3d back = transpose(r) * (full(turned.stress()) * r);
-      EXPECT_LT(largest(back - full(still.stress())), 1e-9 * largest(back)) << int(law) << ' ' << n;
+      EXPECT_LT(largest(back - full(still.stress())), 1e-9 * largest(back)) << law << ' ' << n;
     }
     EXPECT_NEAR(turned.loss, still.loss, 1e-10 * still.loss);
   }
 }
 
 TEST(Plasticity, CreepDoesNotDependOnTheStep) {
-  for (const ElasticLaw law : allLaws)
+  for (const char* const law : allLaws)
     for (const double yield : {1e-9, 0.01}) {
       const Mat3d f = one + Mat3d{{{0.08, 0.05, 0}, {0, -0.03, 0.02}, {0.01, 0, -0.06}}};
       for (const int steps : {1, 10, 100}) {
         Point p{yielding(law, yield, 4)};
         const double first = sizeOf(p.c, stressOf(p.c, f, {}));
         for (int n = 0; n < steps; n++) p.drive(f, 0.5 / steps);
-        EXPECT_NEAR(p.size(), yield + (first - yield) * std::exp(-2.0), 1e-13) << int(law) << ' ' << steps;
+        EXPECT_NEAR(p.size(), yield + (first - yield) * std::exp(-2.0), 1e-13) << law << ' ' << steps;
       }
     }
 }
 
 TEST(Plasticity, SteadyFlowHasTheViscosityOfTheCreepRate) {
   // |dev sigma| = 2 eta |d|, eta = G / creep
-  for (const ElasticLaw law : allLaws)
+  for (const char* const law : allLaws)
     for (const double dt : {1e-4, 1e-3}) {
       Point p{yielding(law, 0.005, 20)};
       for (int n = 0; n < 1 / dt; n++) p.drive({{{1, 0.5 * n * dt, 0}, {0, 1, 0}, {0, 0, 1}}}, dt);
-      EXPECT_NEAR(p.size(), 0.005 + 0.5 / std::sqrt(2.0) / 20, 0.03 * p.size()) << int(law) << ' ' << dt;
+      EXPECT_NEAR(p.size(), 0.005 + 0.5 / std::sqrt(2.0) / 20, 0.03 * p.size()) << law << ' ' << dt;
     }
 }
 
 // Groups are evaluated again if one of their solids takes a new reference. The others must not change.
 TEST(Plasticity, EvaluationWithoutFlowHasTheSameBits) {
-  for (const ElasticLaw law : allLaws) {
+  for (const char* const law : allLaws) {
     PlasticState state{};
     for (std::uint64_t n = 0; n < 50; n++) {
       const Mat3d g = noiseMatrix(n, 0.1);
@@ -176,7 +175,7 @@ TEST(Plasticity, EvaluationWithoutFlowHasTheSameBits) {
 }
 
 TEST(Plasticity, LimitIsKept) {
-  for (const ElasticLaw law : allLaws) {
+  for (const char* const law : allLaws) {
     ElasticConstants c = yielding(law, 0.01);
     c.maxPlastic = 0.05;
     Point p{c};
@@ -192,19 +191,19 @@ TEST(Plasticity, LimitIsKept) {
 }
 
 TEST(Plasticity, LossIsWorkLessStoredEnergy) {
-  for (const ElasticLaw law : allLaws) {
+  for (const char* const law : allLaws) {
     Point p{yielding(law, 0.01, 50, 2e4)};
     for (int n = 1; n <= 4000; n++)
       p.drive(one + (1e-4 * n) * Mat3d{{{0.3, 1, 0}, {0, -0.2, 0.3}, {0.1, 0, 0.1}}}, 1e-3);
     EXPECT_GT(p.loss, 0.5 * p.work);
-    EXPECT_NEAR(p.loss, p.work - p.stored(), 2e-4 * p.work) << int(law);
+    EXPECT_NEAR(p.loss, p.work - p.stored(), 2e-4 * p.work) << law;
   }
 }
 
 // Shear whose plane turns while the plastic strain is at its limit. In each step, the stress changes by
 // several times the yield stress.
 TEST(Plasticity, LossAtTheLimitIsWorkLessStoredEnergy) {
-  ElasticConstants c = yielding(ElasticLaw::NeoHookean, 0.01);
+  ElasticConstants c = yielding("neo-hookean", 0.01);
   c.maxPlastic = 0.2;
   Point p{c};
   for (int n = 1; n <= 60; n++) {
@@ -217,7 +216,7 @@ TEST(Plasticity, LossAtTheLimitIsWorkLessStoredEnergy) {
 
 // From rest to four times the yield strain in one step. The stress grows to its limit, so half of it works.
 TEST(Plasticity, WorkOfASingleStepHasTheMeanStress) {
-  const ElasticConstants c = yielding(ElasticLaw::NeoHookean, 0.005);
+  const ElasticConstants c = yielding("neo-hookean", 0.005);
   // A shear gamma has a strain of norm gamma / sqrt(2).
   const Mat3d g{{{0, 0.02 * std::sqrt(2.0), 0}, {0, 0, 0}, {0, 0, 0}}};
   const PlasticFlow flow = plasticFlow(c, g, {}, {}, 1);
@@ -228,40 +227,42 @@ TEST(Plasticity, WorkOfASingleStepHasTheMeanStress) {
 }
 
 TEST(Plasticity, SkippedGroupsAreBelowYield) {
-  for (const ElasticLaw law : allLaws)
+  for (const auto& [law, about, keys, functions] : builtInLaws()) {
+    if (!functions.boundsStress) continue;
     for (const double poisson : {0.0, 0.3, 0.45, 0.49})
       for (std::uint64_t n = 0; n < 300; n++) {
         Material m = elasticMaterial(1.0, poisson);
-        m.law = law;
+        m.law.name = law;
         m.yieldStrain = {1, 1};
         ElasticConstants c = elasticConstants(m, 0);
         Mat3d g = noiseMatrix(n, 0.0005 * static_cast<double>(1 + n % 100));
         const double mean = (g.row[0].x + g.row[1].y + g.row[2].z) / 3;
         g = g + (0.002 * noise(n, 40) - mean) * one;  // some laws are unstable under high pressure
         c.yield = sizeOf(c, stressOf(c, one + g, {})) * (1 - 1e-9);
-        EXPECT_TRUE(plasticFlow(c, g, {}, {}, 1).flows) << int(law) << ' ' << poisson << ' ' << n;
+        EXPECT_TRUE(plasticFlow(c, g, {}, {}, 1).flows) << law << ' ' << poisson << ' ' << n;
       }
+  }
 }
 
 // Green strain weakens below 0.577 of the length. A body compressed beyond that in one step is past its yield
 // stress, not below it.
 TEST(Plasticity, WeakeningLawYieldsAtOnce) {
-  for (const ElasticLaw law : allLaws)
+  for (const char* const law : allLaws)
     for (const double pressed : {0.58, 0.4, 0.1}) {
       Point p{yielding(law, 0.03)};
       p.drive(stretches(pressed, 1 / std::sqrt(pressed)));
-      EXPECT_NEAR(p.size(), 0.03, 1e-12) << int(law) << ' ' << pressed;
+      EXPECT_NEAR(p.size(), 0.03, 1e-12) << law << ' ' << pressed;
     }
 }
 
 TEST(Plasticity, InvertedAndFlatStayAsTheyAre) {
-  for (const ElasticLaw law : allLaws)
+  for (const char* const law : allLaws)
     for (const double x : {-0.5, 0.0})
       EXPECT_FALSE(plasticFlow(yielding(law, 0.01), stretches(x, 1) - one, {}, {}, 1).flows);
 }
 
 TEST(Plasticity, PushForwardKeepsTheStress) {
-  for (const ElasticLaw law : allLaws) {
+  for (const char* const law : allLaws) {
     Point p{yielding(law, 0.05)};
     const Mat3d f = one + Mat3d{{{0.3, 0.5, 0}, {0, -0.2, 0.3}, {0.1, 0, 0.1}}};
     p.drive(rotation({1, 1, 0}, 1.57) * f);
@@ -273,9 +274,9 @@ TEST(Plasticity, PushForwardKeepsTheStress) {
 
 TEST(Plasticity, LoadingABodyGivesThePlateauAndRecordsTheLoss) {
   const auto points = lattice({4, 4, 4}, 0.1, 0.2);
-  for (const ElasticLaw law : allLaws) {
+  for (const char* const law : allLaws) {
     Material m = elasticMaterial(1e6, 0.3);
-    m.law = law;
+    m.law.name = law;
     m.yieldStrain = {0.01, 0.01};
     m.creepRate = {never, never};
     const auto b = makeBody(points, {m});

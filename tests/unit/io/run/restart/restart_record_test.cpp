@@ -216,7 +216,7 @@ TEST(RestartRecord, ChoicesAreReportedByTheirWords) {
   other.oriented[0].facing = false;
   other.oriented[0].fields.clear();
   other.sheets[0].selfContact = true;
-  other.materials[0].law = ElasticLaw::NeoHookean;
+  other.materials[0].law.name = "neo-hookean";
   std::vector<std::string> reported = coefficientChanges(then, other);
   std::erase_if(reported, [](const std::string& t) {
     return t.find("field.0") != std::string::npos && t.find("field.0.until") == std::string::npos;

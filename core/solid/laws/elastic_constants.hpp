@@ -3,26 +3,25 @@
 #pragma once
 #include <cmath>
 
-#include "core/materials/extension_law.hpp"
 #include "core/scene/scene.hpp"
+#include "core/solid/laws/elastic_law.hpp"
 
 namespace thaw {
 
 struct ElasticConstants {
-  double lambda = 0, mu = 0;  ///< Pa, Lame's constants
-  double volume = 0;          ///< Pa, k_v of the volume force
-  double hourglass = 0;       ///< Pa, alpha E
-  double yield = never;       ///< 1, |dev sigma|/2G at yield
-  double creep = 0;           ///< 1/s
-  double hardening = 0;       ///< 1, increase of `yield` with the equivalent plastic strain
-  double maxPlastic = never;  ///< 1
-  double dragDensity = 0;     ///< kg/(m^3 s), damping * density
-  ElasticLaw law = ElasticLaw::Green;
-  const BoundLaw* bound = nullptr;  ///< ElasticLaw::Extension
+  double lambda = 0, mu = 0;      ///< Pa, Lame's constants
+  double volume = 0;              ///< Pa, k_v of the volume force
+  double hourglass = 0;           ///< Pa, alpha E
+  double yield = never;           ///< 1, |dev sigma|/2G at yield
+  double creep = 0;               ///< 1/s
+  double hardening = 0;           ///< 1, increase of `yield` with the equivalent plastic strain
+  double maxPlastic = never;      ///< 1
+  double dragDensity = 0;         ///< kg/(m^3 s), damping * density
+  const BoundLaw* law = nullptr;  ///< null: no slot
 };
 
-/// Returns the constants of a material at this liquid fraction (K05 3.3).
-inline ElasticConstants elasticConstants(const Material& m, double liquidFraction) {
+/// Returns the constants of a material at this liquid fraction (K05 3.3), with its law, boundLaw(m).
+inline ElasticConstants elasticConstants(const Material& m, double liquidFraction, const BoundLaw& law) {
   ElasticConstants c;
   const double young = m.young.at(liquidFraction), nu = m.poisson.at(liquidFraction);
   c.lambda = young * nu / ((1 + nu) * (1 - 2 * nu));
@@ -38,9 +37,12 @@ inline ElasticConstants elasticConstants(const Material& m, double liquidFractio
   if (m.hardening > 0) c.hardening = m.hardening * (1 + m.poisson.solid) / (std::sqrt(1.5) * m.young.solid);
   c.maxPlastic = m.maxPlasticStrain;
   c.dragDensity = m.damping * m.density;
-  c.law = m.law;
-  if (c.law == ElasticLaw::Extension) c.bound = &boundLaw(m);
+  c.law = &law;
   return c;
+}
+/// The same for a material alone. It looks the law up by its name, so it is not for loops over particles.
+inline ElasticConstants elasticConstants(const Material& m, double liquidFraction) {
+  return elasticConstants(m, liquidFraction, boundLaw(m));
 }
 
 }  // namespace thaw

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elastic laws of extensions (core/domain/extensions.hpp): stress, energy and stiffness of eight particles.
+// Elastic laws by name: those of the library (core/solid/laws/laws.hpp) and those of extensions
+// (core/domain/extensions.hpp), with stress, energy and stiffness.
 #pragma once
 #include <array>
 #include <functional>
@@ -8,14 +9,12 @@
 
 #include "core/math/mat3.hpp"
 #include "core/math/vec3.hpp"
+#include "core/solid/laws/law_point.hpp"
 
 namespace thaw {
 
+struct ExtensionSettings;
 struct Material;
-
-inline constexpr std::size_t mostLawKeys = 8;
-/// Values of a law's keys (SI), in the order of their declaration.
-using LawValues = std::array<double, mostLawKeys>;
 
 /// Input and output of a law for eight particles of one material, or of materials with equal values. Lanes
 /// without a particle have F = 1 and lambda = mu = 0.
@@ -41,8 +40,8 @@ struct LawResponse {
 /// An elastic law, psi(F) with P = dpsi/dF. At rest psi = 0 and P = 0, and small strains follow Hooke's law
 /// with lambda and mu, from which other limits are computed. Give `lanes`
 /// (core/solid/laws/extension_law_lanes.hpp compiles it for each instruction set), or `response`, which is
-/// called for one particle at a time.
-struct ExtensionLaw {
+/// called for one particle at a time. Laws of the library are made from laws.hpp.
+struct ElasticLaw {
   void (*lanes)(const LawGroup&) = nullptr;
   std::function<LawResponse(const Mat3d& gradU, double lambda, double mu, const LawValues&)> response = {};
   /// Principal Kirchhoff stresses (Pa) for principal stretches, for plastic flow. None: from the stress of
@@ -52,20 +51,33 @@ struct ExtensionLaw {
   /// 1, for laws that do not stiffen.
   std::function<double(double largestStretch2, const LawValues&)> stiffening = {};
   bool resistsInversion = false;  ///< an inverted particle returns
+  bool boundsStress = false;      ///< as LawDefaults::boundsStress
+  int builtIn = -1;               ///< place in BuiltInLaws: the bond loops inline it; -1: of an extension
 };
 
 /// A law with the values of a material, equal for equal values.
 struct BoundLaw {
-  const ExtensionLaw* law = nullptr;
+  const ElasticLaw* law = nullptr;
   LawValues values{};
 };
 
+/// A law of the library as the registry of extensions lists it.
+struct BuiltInLaw {
+  std::string name, about;
+  std::vector<LawKey> keys;
+  ElasticLaw law;
+};
+/// Returns the laws of the library, in the order of the table in laws.hpp.
+const std::vector<BuiltInLaw>& builtInLaws();
+
 /// Makes a law known by its name. keys: names of its keys. Throws std::invalid_argument for a law without
 /// `lanes` and `response`, or with more than mostLawKeys keys.
-void addExtensionLaw(const std::string& name, ExtensionLaw law, std::vector<std::string> keys);
-/// Returns the law and the values of a material with ElasticLaw::Extension; it stays valid. Throws
-/// std::invalid_argument if there is no such law.
+void addElasticLaw(const std::string& name, ElasticLaw law, std::vector<std::string> keys);
+/// Returns the law and the values of a material; it stays valid. Throws std::invalid_argument if there is no
+/// such law.
 const BoundLaw& boundLaw(const Material& material);
+/// The same by the law's name and values. Keys without a value have their default in laws of the library.
+const BoundLaw& boundLaw(const ExtensionSettings& settings);
 
 /// Response for F = 1 + gradU.
 LawResponse responseOf(const BoundLaw& bound, const Mat3d& gradU, double lambda, double mu);
@@ -74,6 +86,6 @@ Vec3d principalOf(const BoundLaw& bound, const Vec3d& stretch, double lambda, do
 /// Takes natural logarithms in place.
 void takeLogarithmsOfLanes(double values[8]);
 /// Sets the stress and energy of all lanes of the group.
-void respondGroup(const ExtensionLaw& law, const LawGroup& group);
+void respondGroup(const ElasticLaw& law, const LawGroup& group);
 
 }  // namespace thaw

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/materials/extension_law.hpp"
+#include "core/solid/laws/elastic_law.hpp"
 
 #include <cmath>
 #include <map>
@@ -12,14 +12,32 @@ namespace thaw {
 namespace {
 
 struct KnownLaw {
-  ExtensionLaw law;
+  ElasticLaw law;
   std::vector<std::string> keys;
+  std::vector<double> standard{};  // defaults of the keys of a law of the library
   std::map<LawValues, BoundLaw> bound{};
   std::mutex binding{};  // simulations may run in several threads
 };
 
+void enter(std::map<std::string, KnownLaw>& all, const std::string& name, ElasticLaw law,
+           std::vector<std::string> keys, std::vector<double> standard) {
+  KnownLaw& known = all[name];
+  known.law = std::move(law);
+  known.keys = std::move(keys);
+  known.standard = std::move(standard);
+}
+
 std::map<std::string, KnownLaw>& knownLaws() {
   static std::map<std::string, KnownLaw> all;
+  static std::once_flag once;
+  std::call_once(once, [] {
+    for (const BuiltInLaw& row : builtInLaws()) {
+      std::vector<std::string> keys;
+      std::vector<double> standard;
+      for (const LawKey& key : row.keys) keys.emplace_back(key.name), standard.push_back(key.standard);
+      enter(all, row.name, row.law, std::move(keys), std::move(standard));
+    }
+  });
   return all;
 }
 
@@ -37,27 +55,36 @@ void setLane(const Mat3d& m, double (*matrix)[8], int lane) {
 
 }  // namespace
 
-void addExtensionLaw(const std::string& name, ExtensionLaw law, std::vector<std::string> keys) {
+void addElasticLaw(const std::string& name, ElasticLaw law, std::vector<std::string> keys) {
   if (!law.lanes && !law.response)
     throw std::invalid_argument("extension '" + name + "': its law needs `lanes` or `response`");
   if (keys.size() > mostLawKeys)
     throw std::invalid_argument("extension '" + name + "': a law has at most " + std::to_string(mostLawKeys) +
                                 " keys");
-  KnownLaw& known = knownLaws()[name];
-  known.law = std::move(law);
-  known.keys = std::move(keys);
+  enter(knownLaws(), name, std::move(law), std::move(keys), {});
+}
+
+const BoundLaw& boundLaw(const ExtensionSettings& settings) {
+  const auto at = knownLaws().find(settings.name);
+  if (at == knownLaws().end()) throw std::invalid_argument("unknown elastic law '" + settings.name + "'");
+  KnownLaw& known = at->second;
+  LawValues values{};
+  for (std::size_t k = 0; k < known.keys.size(); k++) {
+    const auto given = settings.values.find(known.keys[k]);
+    values[k] = given == settings.values.end() && k < known.standard.size()
+                    ? known.standard[k]
+                    : settings.values.at(known.keys[k]);
+  }
+  const std::scoped_lock one(known.binding);
+  return known.bound.try_emplace(values, BoundLaw{&known.law, values}).first->second;
 }
 
 const BoundLaw& boundLaw(const Material& m) {
-  const auto at = knownLaws().find(m.extensionLaw.name);
-  if (at == knownLaws().end())
-    throw std::invalid_argument("material '" + m.name + "': unknown elastic law '" + m.extensionLaw.name +
-                                "'");
-  LawValues values{};
-  for (std::size_t k = 0; k < at->second.keys.size(); k++)
-    values[k] = m.extensionLaw.values.at(at->second.keys[k]);
-  const std::scoped_lock one(at->second.binding);
-  return at->second.bound.try_emplace(values, BoundLaw{&at->second.law, values}).first->second;
+  try {
+    return boundLaw(m.law);
+  } catch (const std::invalid_argument& e) {
+    throw std::invalid_argument("material '" + m.name + "': " + e.what());
+  }
 }
 
 LawResponse responseOf(const BoundLaw& bound, const Mat3d& gradU, double lambda, double mu) {
@@ -81,7 +108,7 @@ void takeLogarithmsOfLanes(double values[8]) {
   for (int l = 0; l < 8; l++) values[l] = std::log(values[l]);
 }
 
-void respondGroup(const ExtensionLaw& law, const LawGroup& g) {
+void respondGroup(const ElasticLaw& law, const LawGroup& g) {
   if (law.lanes) return law.lanes(g);
   for (int l = 0; l < 8; l++) {
     const LawResponse r = law.response(laneOf(g.gradient, l), g.lambda[l], g.mu[l], g.values);

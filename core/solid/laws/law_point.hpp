@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Input of an elastic law, and the parts that a law of the library may leave out. T is double, or lanes of
+// float or double. Only plain data: code for one instruction set includes this.
+#pragma once
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "core/math/mat3.hpp"
+
+namespace thaw {
+
+inline constexpr std::size_t mostLawKeys = 8;
+/// Values of a law's keys (SI), in the order of their declaration.
+using LawValues = std::array<double, mostLawKeys>;
+
+/// A key of a law of the library: a number with a unit.
+struct LawKey {
+  const char *name, *unit;  ///< unit in SI, "" for none
+  double standard, least, most;
+  const char* about;
+};
+
+/// A deformation gradient, with plastic flow its elastic part, and the constants of the material.
+template<class T> struct LawPoint {
+  Mat3<T> f;
+  T lambda, mu;  ///< Pa, Lame's constants
+  const LawValues& values;
+  Mat3<T> gradient;  ///< F - 1: its rounding is small at small strains
+};
+
+/// Natural logarithm. For lanes: extension_law_lanes.hpp.
+inline double logarithm(double a) { return std::log(a); }
+
+/// Base of the laws of the library (laws.hpp). A law has `name`, `about`, and
+///   template<class T> static Mat3<T> stress(const LawPoint<T>&);  // Pa, first Piola stress
+///   template<class T> static T energy(const LawPoint<T>&);        // Pa, energy density
+/// and may have
+///   template<class T> static auto shared(const LawPoint<T>&);     // given to both as second argument
+///   static Vec3d principal(const Vec3d& stretch, double lambda, double mu, const LawValues&);
+///   static double stiffening(double largestStretch2, const LawValues&);
+///   template<class T> static unsigned softened(const LawPoint<T>&, const Shared&);  // bits of lanes
+/// `principal` and `stiffening` are those of ElasticLaw. `softened` finds lanes that the counter
+/// Counters::squeezed reports.
+struct LawDefaults {
+  static constexpr std::array<LawKey, 0> keys{};
+  /// Stress or energy needs double precision where bonds are in single precision.
+  static constexpr bool doubleStress = true, doubleEnergy = true;
+  static constexpr bool resistsInversion = false;  ///< an inverted particle returns
+  /// |dev sigma|/2G is at most |dev E| (1 + (8 + 4 lambda/mu) |E|) where |E| < 0.1, with Green's strain E.
+  /// Plastic flow then skips what is surely below the yield stress.
+  static constexpr bool boundsStress = false;
+};
+
+struct NothingShared {};
+/// Returns what stress and energy of a law share.
+template<class Law, class T> [[gnu::always_inline]] inline auto sharedOf(const LawPoint<T>& at) {
+  if constexpr (requires { Law::shared(at); }) return Law::shared(at);
+  else return NothingShared{};
+}
+template<class Law, class T, class Shared>
+[[gnu::always_inline]] inline Mat3<T> stressOf(const LawPoint<T>& at, const Shared& shared) {
+  if constexpr (requires { Law::stress(at, shared); }) return Law::stress(at, shared);
+  else return Law::stress(at);
+}
+template<class Law, class T, class Shared>
+[[gnu::always_inline]] inline T energyOf(const LawPoint<T>& at, const Shared& shared) {
+  if constexpr (requires { Law::energy(at, shared); }) return Law::energy(at, shared);
+  else return Law::energy(at);
+}
+
+}  // namespace thaw

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The table of elastic laws of the library. Its rows are compiled into the bond loops
+// (core/solid/elasticity/elastic_isa.cpp) and entered into the registry of extensions
+// (core/domain/extensions.hpp), from which scenes, documents, checks and restarts have them.
+// To add a law: docs/developer/extend.md.
+#pragma once
+#include "core/solid/laws/corotated.hpp"
+#include "core/solid/laws/green.hpp"
+#include "core/solid/laws/neo_hookean.hpp"
+#include "core/solid/laws/rigid.hpp"
+
+namespace thaw {
+
+template<class... Laws> struct LawList {
+  /// Calls f.template operator()<Law>() of the law at this place; returns false if there is none.
+  template<class F> [[gnu::always_inline]] static inline bool at(int place, F&& f) {
+    int k = 0;
+    return ((place == k++ ? (f.template operator()<Laws>(), true) : false) || ...);
+  }
+  /// Calls it for each law in order.
+  template<class F> static void each(F&& f) { (f.template operator()<Laws>(), ...); }
+};
+
+// clang-format off
+using BuiltInLaws = LawList<
+    GreenLaw,
+    NeoHookeanLaw,
+    CorotatedLaw,
+    RigidLaw>;
+// clang-format on
+
+}  // namespace thaw
