@@ -60,11 +60,25 @@ void chooseBulkDamping(Scene& s, const OpenChoices& open) {
 
 }  // namespace
 
+namespace {
+
+/// Returns whether nothing that the scene sets excludes tension by curvature.
+bool mayActByCurvature(const Scene& s, const OpenChoices& open) {
+  const Numerics& n = s.numerics;
+  const bool carried = open.density || n.density == DensityForm::Continuity,
+             shifted = open.shifting || n.shifting > 0;
+  return carried && shifted && n.support >= leastCurvatureSupport;
+}
+
+}  // namespace
+
 void chooseForLiquids(Scene& s, const OpenChoices& open) {
   Numerics& n = s.numerics;
   const bool equation = n.pressure == PairForm::Consistent && n.solver == PressureSolver::StateEquation;
-  const bool summed = someSurfaceTension(s) && n.tension != TensionForm::Curvature;
-  if (!equation || s.quality == Quality::Preview || liquidFillsTheBox(s) || summed) return;
+  if (!equation || s.quality == Quality::Preview || liquidFillsTheBox(s)) return;
+  const bool tension = someSurfaceTension(s);
+  if (tension && open.tension && mayActByCurvature(s, open)) n.tension = TensionForm::Curvature;
+  if (tension && n.tension != TensionForm::Curvature) return;
   if (open.density) n.density = DensityForm::Continuity;
   if (n.density != DensityForm::Continuity) return;
   if (open.shifting) n.shifting = length(s.domain.gravity) > 0 ? 0.07 : 0.2;
