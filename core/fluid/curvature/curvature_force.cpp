@@ -7,6 +7,7 @@
 #include "core/fluid/curvature/balance_surface.hpp"
 #include "core/fluid/curvature/thin_cohesion.hpp"
 #include "core/fluid/laws/particle_pressure.hpp"
+#include "core/walls/wall_forces.hpp"
 
 namespace thaw {
 namespace {
@@ -25,6 +26,18 @@ std::vector<Vec3d> forcesByCurvature(const WallView& w, const std::vector<FreeSu
   return forces;
 }
 
+/// Removes the part of a force (N) that lifts a particle off a close wall. The wall bears the component of the
+/// tension normal to it at the edge of the liquid, so a drop that wets a wall is not pulled off by its edge.
+Vec3d borneByWalls(const CurvatureContext& x, std::uint32_t i, Vec3d force) {
+  constexpr double wholeUpTo = 0.75, noneFrom = 1.5;  // distances in spacings
+  for (const WallContact& c : contactsOf(x.contacts, i)) {
+    const double share =
+        std::clamp((noneFrom - c.distance / x.world.scene.spacing) / (noneFrom - wholeUpTo), 0.0, 1.0);
+    force -= c.normal * (share * std::max(dot(force, c.normal), 0.0));
+  }
+  return force;
+}
+
 }  // namespace
 
 void addCurvatureForce(const CurvatureContext& x) {
@@ -39,7 +52,7 @@ void addCurvatureForce(const CurvatureContext& x) {
     std::fill_n(kept, 3, 0.0);
     const double f = p.phase[i] == Liquid ? liquidFraction(p, i) : 0;
     if (f == 0 || !isFree(p, i)) continue;
-    const Vec3d force = forces[i] * f;
+    const Vec3d force = borneByWalls(x, i, forces[i]) * f;
     for (int axis = 0; axis < 3; axis++) kept[axis] = force[axis];
     p.force[i] += force;
   }

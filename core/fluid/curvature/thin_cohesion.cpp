@@ -77,7 +77,7 @@ void addThinCohesion(const CurvatureContext& x, const std::vector<FreeSurfaceEle
         const Vec3d d = p.position[j] - at;
         const double q = length(d) / h;
         if (q < 1 && q > 1e-6)
-          sum += d * (thin * std::max(own.y, other.y) * other.z * cohesionAt(q) / (q * h));
+          sum += d * (thin * std::min(own.y, other.y) * other.z * cohesionAt(q) / (q * h));
       }
       force[i] += sum * (own.z * scale);
     }
