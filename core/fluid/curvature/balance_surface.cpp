@@ -28,7 +28,7 @@ double shellTension(const CurvatureContext& x, std::uint32_t i) {
   return tensionAt(x.world, i) / (1 - std::clamp(bend, -0.4, 0.4));
 }
 
-/// Force (N) of the surface stress on a row: sum_j A_i A_j gamma (P_i + P_j) grad W with the kernel of a plane.
+/// Force (N) of the surface stress on a row: sum_j A_i A_j gamma (P_i + P_j) grad W, kernel of a plane.
 Vec3d stressForce(const CurvatureContext& x, std::uint32_t i, std::size_t g, std::size_t l) {
   const Continuum& p = x.world.particles;
   const double h = x.world.grid.support, area = weightOf(p, i), tension = shellTension(x, i);
@@ -56,7 +56,8 @@ bool surfaceEndsNear(const CurvatureContext& x, std::uint32_t i, std::size_t g, 
 
 }  // namespace
 
-void balanceSurface(const CurvatureContext& x, const std::vector<FreeSurfaceElement>& elements, std::vector<Vec3d>& force) {
+void balanceSurface(const CurvatureContext& x, const std::vector<FreeSurfaceElement>& elements,
+                    std::vector<Vec3d>& force) {
   Continuum& p = x.world.particles;
   std::vector<Vec3d> excess(p.owned);
   std::vector<double> area(p.owned);

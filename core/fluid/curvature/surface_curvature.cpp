@@ -128,7 +128,8 @@ void findResolved(const CurvatureContext& x, std::vector<FreeSurfaceElement>& el
     eachNeighbour(x, i, g, l, [&](std::uint32_t j, const Vec3d& d) {
       number += weightOf(p, j) * (1 - dot(d, d)) * sameFace(p.surfaceGradient[i], p.surfaceGradient[j]);
     });
-    elements[i].resolved = std::max(elements[i].resolved, smoothStep(fewNeighbours, enoughNeighbours, number));
+    elements[i].resolved = std::max(elements[i].resolved,
+                                    smoothStep(fewNeighbours, enoughNeighbours, number));
   });
 }
 
@@ -186,14 +187,14 @@ void findElement(const CurvatureContext& x, std::uint32_t i, std::size_t g, std:
   e.tensionGradient = (fit.first * fit.tension[0] + fit.second * fit.tension[1]) / h;
 }
 
-/// Averages the curvature over the neighbours. A particle that sticks out of the surface, or lies below it, is
-/// not pushed further by the curvature of its neighbours.
+/// Averages the curvature over the neighbours. A particle that sticks out of the surface, or lies below it,
+/// is not pushed further by the curvature of its neighbours.
 double meanCurvature(const CurvatureContext& x, std::uint32_t i, std::size_t g, std::size_t l, double bulge) {
   const Continuum& p = x.world.particles;
   double weights = weightOf(p, i), sum = weights * p.surfaceColour[i];
   eachNeighbour(x, i, g, l, [&](std::uint32_t j, const Vec3d& d) {
-    const double weight =
-        weightOf(p, j) * (1 - dot(d, d)) * sameFace(p.surfaceGradient[i], p.surfaceGradient[j]);
+    const double weight = weightOf(p, j) * (1 - dot(d, d)) *
+                          sameFace(p.surfaceGradient[i], p.surfaceGradient[j]);
     weights += weight, sum += weight * p.surfaceColour[j];
   });
   const double mean = sum / weights, margin = curvatureMargin / x.world.scene.spacing;

@@ -13,7 +13,7 @@ struct TangentFit {
   double xx = 0, xy = 0, yy = 0;                               // moments
   double slope[2][2] = {{0, 0}, {0, 0}}, tension[2] = {0, 0};  // slopes of normal and tension
   double number;                                               // sum of the kernel of a plane
-  double depth = 0;                                            // of the neighbours below the plane
+  double depth = 0;                                            // sum of depths below the plane
 
   TangentFit(const Vec3d& normal, double own)
       : outwards(normal), first(anyTangent(normal)), second(cross(normal, first)), number(own) {}

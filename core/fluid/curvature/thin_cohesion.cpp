@@ -35,8 +35,8 @@ double uncovered(const CurvatureContext& x, std::uint32_t row) {
   return least;
 }
 
-/// Packs what pairs need into surfaceGradient: x: 1 - resolved; y: uncovered; z: V sqrt(gamma) in liquid, else
-/// 0.
+/// Packs the data of pairs into surfaceGradient: x: 1 - resolved; y: uncovered; z: V sqrt(gamma) in liquid,
+/// else 0.
 void packCohesion(const CurvatureContext& x, const std::vector<FreeSurfaceElement>& elements) {
   const WallView& w = x.world;
   Continuum& p = w.particles;
