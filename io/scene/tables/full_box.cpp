@@ -40,7 +40,8 @@ double leastWithTension(const Scene& s, const Material& m, double soundSpeed) {
 }
 
 /// Raises a liquid to an alpha of 0.02, the customary value for inviscid liquids (ACM12). An
-/// alpha equals a viscosity of alpha c h rho / 10. More with tension by curvature. Less in scenes with solids, since it drags coarse bodies.
+/// alpha equals a viscosity of alpha c h rho / 10. More with tension by curvature. Less in scenes with
+/// solids, since it drags coarse bodies.
 void chooseArtificialViscosity(Scene& s, const OpenChoices& open) {
   const bool solids = std::any_of(s.materials.begin(), s.materials.end(),
                                   [](const Material& m) { return m.canBeSolid(); });
