@@ -116,20 +116,31 @@ double flatColourGradient(const Numerics& numerics) {
 
 namespace {
 
+/// Returns true if a row has solid neighbours in a scene with melting.
+bool touchesSolid(const CurvatureContext& x, std::size_t g, std::size_t l) {
+  const NeighbourLists& lists = x.neighbours;
+  const Continuum& p = x.world.particles;
+  for (std::uint32_t k = 0; k < lists.count[g] && p.liquid.active; k++)
+    if (const std::uint32_t j = lists.row(g, k, l); j != lists.dummy && p.phase[j] != Liquid) return true;
+  return false;
+}
+
 /// Sets FreeSurfaceElement::resolved of owned rows, from the colour, or the number of neighbours at the same
-/// face of the surface.
+/// face of the surface. Single liquid particles on a solid have its colour, but no surface.
 void findResolved(const CurvatureContext& x, std::vector<FreeSurfaceElement>& elements) {
   const Continuum& p = x.world.particles;
   for (std::uint32_t i = 0; i < p.owned; i++)
     elements[i].resolved = smoothStep(filmColour, faceColour, p.surfaceColour[i]);
   eachAtSurface(x, [&](std::uint32_t i, std::size_t g, std::size_t l) {
-    if (elements[i].resolved == 1) return;
+    double& resolved = elements[i].resolved;
+    const bool onSolid = touchesSolid(x, g, l);
+    if (resolved == 1 && !onSolid) return;
     double number = 0;
     eachNeighbour(x, i, g, l, [&](std::uint32_t j, const Vec3d& d) {
       number += weightOf(p, j) * (1 - dot(d, d)) * sameFace(p.surfaceGradient[i], p.surfaceGradient[j]);
     });
-    elements[i].resolved = std::max(elements[i].resolved,
-                                    smoothStep(fewNeighbours, enoughNeighbours, number));
+    const double byNumber = smoothStep(fewNeighbours, enoughNeighbours, number);
+    resolved = onSolid ? byNumber : std::max(resolved, byNumber);
   });
 }
 
