@@ -166,7 +166,7 @@ CASES = {
         ["0.2", "0.125", "0.0833333333333333", "0.0625"],
         "0.125",
         {
-            "tension": ["pairwise", "curvature"],
+            "tension": ["pairwise", "surface energy"],
             "body.0.packing": ["lattice"],
             "support": ["2.5", "3"],
             **PRECISION,
@@ -175,17 +175,17 @@ CASES = {
     "drop_oscillation": (
         ["0.125", "0.0833333333333333"],
         "0.125",
-        {"tension": ["pairwise", "curvature"], "support": ["2.5", "3"], **PRECISION},
+        {"tension": ["pairwise", "surface energy"], "support": ["2.5", "3"], **PRECISION},
     ),
     **{
         f"contact_angle_{angle}": (
             ["0.125", "0.0833333333333333"],
             "0.0833333333333333",
-            {"tension": ["curvature"]},
+            {"tension": ["surface energy"]},
         )
         for angle in (30, 60, 90, 120, 150)
     },
-    "birikh": (["0.1", "0.05"], "0.05", {"tension": ["curvature"]}),
+    "birikh": (["0.1", "0.05"], "0.05", {"tension": ["surface energy"]}),
     "patch": (["0.1"], "0.1", {"elastic_precision": ["single"], "bond_support": ["1.5", "2"]}),
     "rotation": (["0.1"], "0.1", {"elastic_precision": ["single"], "bond_support": ["1.5", "2"]}),
     "free_body": (["0.2", "0.1"], "0.1", {**SOLID, **QUALITY}),

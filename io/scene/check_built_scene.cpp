@@ -33,7 +33,7 @@ class BuiltSceneCheck {
       reading_.start = {name_, 0, 0};
       reading_.domain = reading_.spacing = reading_.start;
       const std::vector<std::uint8_t> given(scene_.materials.size(), 0);
-      reading_.open = {false, false, false, false, false, given, given};
+      reading_.open = {false, false, false, false, false, false, given, given};
       checkScene(reading_, errors);
     }
     if (errors.empty()) return;

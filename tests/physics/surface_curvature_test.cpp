@@ -2,6 +2,7 @@
 // Surface tension by curvature (core/flow/curvature/).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -102,6 +103,74 @@ TEST(SurfaceCurvature, TheLedgerCloses) {
   EXPECT_GT(std::abs(r.wallWork), 0.01);
   EXPECT_LT(std::abs(r.energyResidual), 0.01 * std::abs(r.wallWork));
   EXPECT_LT(length(r.momentumResidual), 1e-10 * r.now.mass);
+}
+
+Scene latticeBox(int x, int y, int z) {
+  Scene s = emptyScene(0.1, {-2, -2, -2}, {2, 2, 2});
+  s.materials.push_back(oil());
+  const Vec3d half{0.05 * x, 0.05 * y, 0.05 * z};
+  addBox(s, half * -1.0, half);
+  return withCurvature(s);
+}
+
+// Both faces of a film pull on its edge.
+TEST(SurfaceCurvature, AFilmOfOneLayerHasTheTensionOfBothFaces) {
+  const Simulation run(latticeBox(10, 10, 1));
+  double pull = 0;
+  for (std::size_t i = 0; i < run.w.particles.owned; i++)
+    if (run.w.particles.position[i].x > 0) pull -= tensionOf(run.w, i).x;
+  EXPECT_NEAR(pull, 2 * 1.0, 0.1 * 2);
+}
+
+// A drop of few particles has large errors of the curvature, but does not push itself.
+TEST(SurfaceCurvature, DropsOfFewParticlesStayTogetherAndInPlace) {
+  for (const int side : {2, 3, 4}) {
+    Scene s = latticeBox(side, side, side);
+    s.materials[0].viscosity = {0.01, 0.01};
+    s.bodies[0].packing = Packing::Relaxed;
+    s.end = 1;
+    Simulation run(s);
+    ASSERT_TRUE(run.run());
+    const Continuum& p = run.w.particles;
+    Vec3d momentum{};
+    double farthest = 0, mass = 0;
+    for (std::size_t i = 0; i < p.owned; i++) {
+      momentum += p.velocity[i] * p.mass[i], mass += p.mass[i];
+      farthest = std::max(farthest, length(p.position[i]));
+    }
+    EXPECT_LT(length(momentum) / mass, 0.05) << side;  // the capillary speed is 3
+    EXPECT_LT(farthest, 0.12 * side) << side;
+  }
+}
+
+// Particles in the concave surface over the foot of a spreading drop were thrown off.
+TEST(SurfaceCurvature, ASpreadingDropKeepsItsParticles) {
+  Scene s = emptyScene(0.31e-3, {-9e-3, -9e-3, 0}, {9e-3, 9e-3, 7e-3});
+  s.domain.side[2] = {Side::Wall, Side::Open};
+  s.domain.gravity = {0, 0, -9.81};
+  Material m;
+  m.density = 1000;
+  m.viscosity = {0.05, 0.05};
+  m.surfaceTension = 0.072;
+  m.contactAngle = pi / 6;
+  s.materials.push_back(m);
+  s.bodies.emplace_back();
+  s.bodies[0].name = "drop";
+  s.bodies[0].shape.kind = ShapeKind::Sphere;
+  s.bodies[0].shape.radius = 2.5e-3;
+  s.bodies[0].shape.move = {0, 0, 2.68e-3};
+  s.end = 0.012;
+  Scene with = withCurvature(s);
+  with.numerics.shifting = 0.07;
+  Simulation run(with);
+  ASSERT_TRUE(run.run());
+  const Continuum& p = run.w.particles;
+  const double near = 1.5 * s.spacing;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    int neighbours = 0;
+    for (std::size_t j = 0; j < p.owned; j++) neighbours += length(p.position[j] - p.position[i]) < near;
+    EXPECT_GT(neighbours, 4) << i;
+  }
 }
 
 // Without tension by curvature, its field does not exist.

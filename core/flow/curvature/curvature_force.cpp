@@ -4,22 +4,55 @@
 #include <algorithm>
 
 #include "core/domain/extensions.hpp"
+#include "core/flow/curvature/balance_surface.hpp"
+#include "core/flow/curvature/thin_cohesion.hpp"
 #include "core/fluid/laws/particle_pressure.hpp"
+#include "core/walls/wall_forces.hpp"
 
 namespace thaw {
+namespace {
+
+/// Returns the forces (N) of liquid by curvature and gradient of the tension. A force is at most the tension
+/// of both faces of a film over one spacing, that of a particle at the edge of a film.
+std::vector<Vec3d> forcesByCurvature(const WallView& w, const std::vector<FreeSurfaceElement>& elements) {
+  std::vector<Vec3d> forces(elements.size());
+  for (std::uint32_t i = 0; i < elements.size(); i++) {
+    const FreeSurfaceElement& e = elements[i];
+    if (!(e.area > 0)) continue;
+    const double tension = tensionAt(w, i), most = 2 * tension * w.scene.spacing;
+    const double inwards = std::clamp(tension * e.curvature * e.area, -most, most);
+    forces[i] = (e.tensionGradient * e.area - e.normal * inwards) * e.resolved;
+  }
+  return forces;
+}
+
+/// Removes the part of a force (N) that lifts a particle off a close wall. The wall bears the component of
+/// the tension normal to it at the edge of the liquid, so the edge does not pull a drop off its wall.
+Vec3d borneByWalls(const CurvatureContext& x, std::uint32_t i, Vec3d force) {
+  constexpr double wholeUpTo = 0.75, noneFrom = 1.5;  // distances in spacings
+  for (const WallContact& c : contactsOf(x.contacts, i)) {
+    const double share = std::clamp((noneFrom - c.distance / x.world.scene.spacing) / (noneFrom - wholeUpTo),
+                                    0.0, 1.0);
+    force -= c.normal * (share * std::max(dot(force, c.normal), 0.0));
+  }
+  return force;
+}
+
+}  // namespace
 
 void addCurvatureForce(const CurvatureContext& x) {
-  const WallView& w = x.world;
-  Continuum& p = w.particles;
-  AddedColumn& forces = *tensionForceOf(p);
+  Continuum& p = x.world.particles;
+  AddedColumn& column = *tensionForceOf(p);
   const std::vector<FreeSurfaceElement> elements = findFreeSurface(x);
+  std::vector<Vec3d> forces = forcesByCurvature(x.world, elements);
+  balanceSurface(x, elements, forces);
+  addThinCohesion(x, elements, forces);
   for (std::uint32_t i = 0; i < p.owned; i++) {
-    double* const kept = forces.row(i);
+    double* const kept = column.row(i);
     std::fill_n(kept, 3, 0.0);
-    const FreeSurfaceElement& e = elements[i];
     const double f = p.phase[i] == Liquid ? liquidFraction(p, i) : 0;
-    if (!(e.area > 0) || f == 0 || !isFree(p, i)) continue;
-    const Vec3d force = (e.normal * (-tensionAt(w, i) * e.curvature) + e.tensionGradient) * (f * e.area);
+    if (f == 0 || !isFree(p, i)) continue;
+    const Vec3d force = borneByWalls(x, i, forces[i]) * f;
     for (int axis = 0; axis < 3; axis++) kept[axis] = force[axis];
     p.force[i] += force;
   }

@@ -6,11 +6,12 @@
 #include <numbers>
 #include <vector>
 
+#include "core/flow/curvature/surface_loops.hpp"
+#include "core/flow/curvature/tangent_fit.hpp"
 #include "core/fluid/laws/particle_pressure.hpp"
 #include "core/fluid/laws/surface_energy.hpp"
 #include "core/halo/exchange.hpp"
 #include "core/materials/surface_tension.hpp"
-#include "core/math/tangent.hpp"
 #include "core/walls/wall_surface_energy.hpp"
 
 namespace thaw {
@@ -24,10 +25,20 @@ constexpr double insideGradient = 0.35, surfaceGradientFrom = 0.6;
 /// second, that of the colour gradient.
 constexpr double wallNormalUpTo = 0.5, ownNormalFrom = 1.5;
 
-double smoothStep(double from, double to, double x) {
-  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
+/// Colours between which a layer counts as resolved. A film of one layer has 0.62 of the full lattice, and a
+/// flat face 0.81.
+constexpr double filmColour = 0.68, faceColour = 0.8;
+
+/// Sums of 1 - q^2 over neighbours at the same face, between which an edge counts as resolved. The edge of a
+/// film of one layer has 1.5, that of two layers 4.
+constexpr double fewNeighbours = 2, enoughNeighbours = 3.5;
+
+/// Largest area of an element in squares of the spacing; few neighbours give too large an area.
+constexpr double largestArea = 2;
+
+/// Largest difference of the curvatures from normals and from positions, times the spacing. Disorder of a
+/// smooth surface gives up to 1.5.
+constexpr double curvatureMargin = 2;
 
 Vec3d unitOrZero(const Vec3d& v) {
   const double size = length(v);
@@ -36,33 +47,6 @@ Vec3d unitOrZero(const Vec3d& v) {
 
 void refreshSurface(const CurvatureContext& x, AnyColumn& column) {
   refresh(x.halo, x.world.particles, ColumnList{&column}).wait();
-}
-
-// From startNormals on, surfaceGradient is the outward unit normal times the weight of the particle in sums
-// over the surface, and surfaceColour the curvature in 1/m.
-double weightOf(const Continuum& p, std::uint32_t j) { return length(p.surfaceGradient[j]); }
-
-/// Calls row(i, group, lane) for each owned row at the surface.
-template<class Row> void eachAtSurface(const CurvatureContext& x, Row&& row) {
-  const NeighbourLists& lists = x.neighbours;
-  for (std::size_t g = 0; g < lists.groups; g++)
-    for (std::size_t l = 0; l < 8; l++) {
-      const std::uint32_t i = lists.self[8 * g + l];
-      if (i != lists.dummy && weightOf(x.world.particles, i) > 0) row(i, g, l);
-    }
-}
-
-/// Calls pair(j, d) for each neighbour at the surface, d = (x_j - x_i) / h.
-template<class Pair>
-void eachNeighbour(const CurvatureContext& x, std::uint32_t i, std::size_t g, std::size_t l, Pair&& pair) {
-  const NeighbourLists& lists = x.neighbours;
-  const Continuum& p = x.world.particles;
-  for (std::uint32_t k = 0; k < lists.count[g]; k++) {
-    const std::uint32_t j = lists.row(g, k, l);
-    if (j == lists.dummy || p.surfaceGradient[j] == Vec3d{}) continue;
-    const Vec3d d = (p.position[j] - p.position[i]) / x.world.grid.support;
-    if (dot(d, d) < 1) pair(j, d);
-  }
 }
 
 /// Returns the closest contact of a row with a wall, or null.
@@ -92,21 +76,24 @@ Vec3d normalAtWall(const CurvatureContext& x, std::uint32_t i, const Vec3d& n) {
   return unitOrZero(n * (1 - share) + atWall * share);
 }
 
-/// Normals and weights of owned rows from the colour gradient, walls included.
+/// Normals and weights of owned rows from the colour gradient, walls included. surfaceColour becomes the
+/// colour over that of the full lattice, the particle itself included.
 void startNormals(const CurvatureContext& x) {
   const WallView& w = x.world;
   Continuum& p = w.particles;
   const double spacing = w.scene.spacing / w.grid.support, flat = flatColourGradient(w.scene.numerics);
-  for (const WallContact& c : x.contacts.list)
-    p.surfaceGradient[c.row] += c.normal *
-                                (wallColour(spacing, std::max(c.distance / w.grid.support, 0.0)).slope *
-                                 c.share);
+  const SurfaceMeasure measure = surfaceMeasure(w.scene.numerics, w.scene.spacing);
+  for (const WallContact& c : x.contacts.list) {
+    const WallColour wall = wallColour(spacing, std::max(c.distance / w.grid.support, 0.0));
+    p.surfaceGradient[c.row] += c.normal * (wall.slope * c.share);
+    p.surfaceColour[c.row] += wall.colour * c.share;
+  }
   for (std::uint32_t i = 0; i < p.owned; i++) {
     const double size = length(p.surfaceGradient[i]),
                  weight = smoothStep(insideGradient, surfaceGradientFrom, size / flat);
     if (weight == 0 || !(liquidFraction(p, i) > 0)) p.surfaceGradient[i] = {};
     else p.surfaceGradient[i] = p.surfaceGradient[i] * (-weight / size);
-    p.surfaceColour[i] = 0;
+    p.surfaceColour[i] = (p.surfaceColour[i] + measure.self) / (measure.full + measure.self);
   }
 }
 
@@ -129,61 +116,56 @@ double flatColourGradient(const Numerics& numerics) {
 
 namespace {
 
+/// Returns true if a row has solid neighbours in a scene with melting.
+bool touchesSolid(const CurvatureContext& x, std::size_t g, std::size_t l) {
+  const NeighbourLists& lists = x.neighbours;
+  const Continuum& p = x.world.particles;
+  for (std::uint32_t k = 0; k < lists.count[g] && p.liquid.active; k++)
+    if (const std::uint32_t j = lists.row(g, k, l); j != lists.dummy && p.phase[j] != Liquid) return true;
+  return false;
+}
+
+/// Sets FreeSurfaceElement::resolved of owned rows, from the colour, or the number of neighbours at the same
+/// face of the surface. Single liquid particles on a solid have its colour, but no surface.
+void findResolved(const CurvatureContext& x, std::vector<FreeSurfaceElement>& elements) {
+  const Continuum& p = x.world.particles;
+  for (std::uint32_t i = 0; i < p.owned; i++)
+    elements[i].resolved = smoothStep(filmColour, faceColour, p.surfaceColour[i]);
+  eachAtSurface(x, [&](std::uint32_t i, std::size_t g, std::size_t l) {
+    double& resolved = elements[i].resolved;
+    const bool onSolid = touchesSolid(x, g, l);
+    if (resolved == 1 && !onSolid) return;
+    double number = 0;
+    eachNeighbour(x, i, g, l, [&](std::uint32_t j, const Vec3d& d) {
+      number += weightOf(p, j) * (1 - dot(d, d)) * sameFace(p.surfaceGradient[i], p.surfaceGradient[j]);
+    });
+    const double byNumber = smoothStep(fewNeighbours, enoughNeighbours, number);
+    resolved = onSolid ? byNumber : std::max(resolved, byNumber);
+  });
+}
+
 /// Sets surfaceGradient to the normals, averaged over the neighbours, times the weights.
-void findSurfaceNormals(const CurvatureContext& x) {
+void findSurfaceNormals(const CurvatureContext& x, std::vector<FreeSurfaceElement>& elements) {
   Continuum& p = x.world.particles;
   startNormals(x);
   refreshSurface(x, p.surfaceGradient);
+  findResolved(x, elements);
   std::vector<Vec3d> smooth(p.owned);
   eachAtSurface(x, [&](std::uint32_t i, std::size_t g, std::size_t l) {
-    Vec3d sum = p.surfaceGradient[i];
-    eachNeighbour(x, i, g, l,
-                  [&](std::uint32_t j, const Vec3d& d) { sum += p.surfaceGradient[j] * (1 - dot(d, d)); });
+    const Vec3d own = p.surfaceGradient[i];
+    Vec3d sum = own;
+    eachNeighbour(x, i, g, l, [&](std::uint32_t j, const Vec3d& d) {
+      sum += p.surfaceGradient[j] * ((1 - dot(d, d)) * sameFace(own, p.surfaceGradient[j]));
+    });
     smooth[i] = normalAtWall(x, i, unitOrZero(sum)) * weightOf(p, i);
   });
   for (std::uint32_t i = 0; i < p.owned; i++) p.surfaceGradient[i] = smooth[i];
   refreshSurface(x, p.surfaceGradient);
 }
 
-/// Least-squares sums in the tangent plane of a particle. Lengths in support radii.
-struct TangentFit {
-  Vec3d first, second;                                         // tangents
-  double xx = 0, xy = 0, yy = 0;                               // moments
-  double slope[2][2] = {{0, 0}, {0, 0}}, tension[2] = {0, 0};  // slopes of normal and tension
-  double number;                                               // sum of the kernel of a plane
-
-  TangentFit(const Vec3d& normal, double own)
-      : first(anyTangent(normal)), second(cross(normal, first)), number(own) {}
-
-  void add(double weight, const Vec3d& d, const Vec3d& turn, double rise) {
-    const double x = dot(d, first), y = dot(d, second), u = dot(turn, first), v = dot(turn, second);
-    const double near = std::max(1 - x * x - y * y, 0.0), w = weight * (1 - dot(d, d));
-    number += weight * near * near;
-    xx += w * x * x, xy += w * x * y, yy += w * y * y;
-    slope[0][0] += w * x * u, slope[0][1] += w * x * v;
-    slope[1][0] += w * y * u, slope[1][1] += w * y * v;
-    tension[0] += w * x * rise, tension[1] += w * y * rise;
-  }
-  /// Adds the mirror image of a neighbour behind a wall, so that the area beside the wall is not too large.
-  void addImage(double weight, const Vec3d& d) {
-    const double near = std::max(1 - dot(d, d), 0.0);
-    number += weight * near * near;
-  }
-  bool solvable() const { return xx + yy > 1e-3; }
-  /// Solves the fit. The small multiple of the identity bounds the slopes of particles with few neighbours.
-  void solve() {
-    const double small = 1e-3 * (xx + yy), a = xx + small, b = yy + small, det = a * b - xy * xy;
-    const auto inverse = [&](double& s, double& t) {
-      const double u = (b * s - xy * t) / det;
-      t = (a * t - xy * s) / det;
-      s = u;
-    };
-    inverse(slope[0][0], slope[1][0]), inverse(slope[0][1], slope[1][1]), inverse(tension[0], tension[1]);
-  }
-};
-
-/// Returns the element of a particle, with the curvature before smoothing.
-FreeSurfaceElement elementOf(const CurvatureContext& x, std::uint32_t i, std::size_t g, std::size_t l) {
+/// Sets the element of a particle, with the curvature before smoothing.
+void findElement(const CurvatureContext& x, std::uint32_t i, std::size_t g, std::size_t l,
+                 FreeSurfaceElement& e) {
   const WallView& w = x.world;
   const Continuum& p = w.particles;
   const double h = w.grid.support, own = weightOf(p, i);
@@ -199,41 +181,53 @@ FreeSurfaceElement elementOf(const CurvatureContext& x, std::uint32_t i, std::si
   const double tension = varies ? tensionAt(w, i) : 0;
   eachNeighbour(x, i, g, l, [&](std::uint32_t j, const Vec3d& d) {
     const bool same = varies && p.material[j] == p.material[i];
-    fit.add(weightOf(p, j), d, unitOrZero(p.surfaceGradient[j]) - normal,
-            same ? tensionAt(w, j) - tension : 0);
-    if (wall) fit.addImage(weightOf(p, j), image(d));
+    const double weight = weightOf(p, j) * sameFace(normal, p.surfaceGradient[j]);
+    fit.add(weight, d, unitOrZero(p.surfaceGradient[j]) - normal, same ? tensionAt(w, j) - tension : 0);
+    if (wall) fit.addImage(weight, image(d));
   });
-  FreeSurfaceElement e;
-  e.area = own * std::numbers::pi * h * h / (3 * fit.number);  // kernel 3 / (pi h^2) (1 - q^2)^2
+  const double dx = w.scene.spacing, kernelSum = 3 * fit.number / (std::numbers::pi * h * h);
+  e.area = std::min(own / kernelSum, largestArea * dx * dx);
   e.normal = normal;
-  if (!fit.solvable()) return e;
+  if (!fit.solvable()) return;
+  if (!wall || wall->distance >= ownNormalFrom * dx) e.bulge = fit.bulge() / h;
   fit.solve();
   const double sum = (fit.slope[0][0] + fit.slope[1][1]) / h,
                product = (fit.slope[0][0] * fit.slope[1][1] - fit.slope[0][1] * fit.slope[1][0]) / (h * h);
-  const double most = 4 / w.scene.spacing;  // a ball of one particle
-  e.curvature = std::clamp(sum + product * w.scene.spacing, -most, most);
+  const double most = 4 / dx;  // a ball of one particle
+  e.curvature = std::clamp(sum + product * dx, -most, most);
   e.tensionGradient = (fit.first * fit.tension[0] + fit.second * fit.tension[1]) / h;
-  return e;
+}
+
+/// Averages the curvature over the neighbours. A particle that sticks out of the surface, or lies below it,
+/// is not pushed further by the curvature of its neighbours.
+double meanCurvature(const CurvatureContext& x, std::uint32_t i, std::size_t g, std::size_t l, double bulge) {
+  const Continuum& p = x.world.particles;
+  double weights = weightOf(p, i), sum = weights * p.surfaceColour[i];
+  eachNeighbour(x, i, g, l, [&](std::uint32_t j, const Vec3d& d) {
+    const double weight = weightOf(p, j) * (1 - dot(d, d)) *
+                          sameFace(p.surfaceGradient[i], p.surfaceGradient[j]);
+    weights += weight, sum += weight * p.surfaceColour[j];
+  });
+  const double mean = sum / weights, margin = curvatureMargin / x.world.scene.spacing;
+  return bulge < never ? std::clamp(mean, bulge - margin, bulge + margin) : mean;
 }
 
 }  // namespace
 
 std::vector<FreeSurfaceElement> findFreeSurface(const CurvatureContext& x) {
   Continuum& p = x.world.particles;
-  findSurfaceNormals(x);
   std::vector<FreeSurfaceElement> elements(p.owned);
+  findSurfaceNormals(x, elements);
+  for (std::uint32_t i = 0; i < p.owned; i++) p.surfaceColour[i] = 0;
   eachAtSurface(x, [&](std::uint32_t i, std::size_t g, std::size_t l) {
-    elements[i] = elementOf(x, i, g, l);
+    findElement(x, i, g, l, elements[i]);
     p.surfaceColour[i] = elements[i].curvature;
   });
-  refreshSurface(x, p.surfaceColour);
+  for (std::uint32_t i = 0; i < p.owned; i++)
+    p.surfaceGradient[i] = elements[i].normal * (elements[i].area * elements[i].resolved);
+  refresh(x.halo, p, ColumnList{&p.surfaceGradient, &p.surfaceColour}).wait();
   eachAtSurface(x, [&](std::uint32_t i, std::size_t g, std::size_t l) {
-    double weights = weightOf(p, i), sum = weights * p.surfaceColour[i];
-    eachNeighbour(x, i, g, l, [&](std::uint32_t j, const Vec3d& d) {
-      const double weight = weightOf(p, j) * (1 - dot(d, d));
-      weights += weight, sum += weight * p.surfaceColour[j];
-    });
-    elements[i].curvature = sum / weights;
+    elements[i].curvature = meanCurvature(x, i, g, l, elements[i].bulge);
   });
   return elements;
 }

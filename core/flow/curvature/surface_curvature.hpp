@@ -29,14 +29,17 @@ double flatColourGradient(const Numerics& numerics);
 /// A particle's part of the free surface.
 struct FreeSurfaceElement {
   double area = 0;          ///< m^2; 0: not at the surface
+  double resolved = 1;      ///< 1: thick liquid; 0: a film, thread or drop without a particle inside
   double curvature = 0;     ///< 1/m, positive for a ball, at half a spacing outside of the particle's centre
+  double bulge = never;     ///< 1/m, curvature from positions; never: close to a wall, or unknown
   Vec3d normal{};           ///< unit vector out of the liquid
   Vec3d tensionGradient{};  ///< N/m^2, along the surface
 };
 
 /// Returns the surface elements of owned rows. Collective.
-/// Requires: surfaceGradient of owned rows without walls, temperatures of ghosts.
-/// Ensures: surfaceGradient is the normal times the weight of a particle in sums over the surface; 0 inside.
+/// Requires: surfaceGradient and surfaceColour of owned rows without walls, temperatures of ghosts.
+/// Ensures: surfaceGradient is the normal times the resolved part of the area, and surfaceColour the
+/// curvature (1/m) before smoothing, both also of ghosts; 0 inside.
 std::vector<FreeSurfaceElement> findFreeSurface(const CurvatureContext& context);
 
 }  // namespace thaw

@@ -6,6 +6,7 @@
 
 #include "core/scene/full_box.hpp"
 #include "core/scene/material_use.hpp"
+#include "io/scene/tables/full_box.hpp"
 #include "io/scene/tables/read_sections.hpp"
 
 namespace thaw {
@@ -50,7 +51,7 @@ void checkCurvature(const Scene& s, const SourcePlace& where, std::vector<SceneE
                       "`numerics.tension = \"curvature\"` needs `numerics.density = \"continuity\"` and "
                       "`numerics.shifting` above 0, the defaults without `quality = \"preview\"`: "
                       "other densities are low at a free surface, and its particles clump"});
-  if (n.support < 1.9)
+  if (n.support < leastCurvatureSupport)
     errors.push_back(
         {where, fmt::format("`numerics.tension = \"curvature\"` needs `numerics.support` of at least "
                             "2, got {:g}: a particle of the surface needs neighbours on it",

@@ -2,6 +2,7 @@
 #include "io/scene/tables/full_box.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/fluid/flow_laws/flow_law.hpp"
 #include "core/kernels/lattice.hpp"
@@ -30,8 +31,17 @@ void chooseForFullBox(Scene& s, const OpenChoices& open) {
 
 namespace {
 
+/// Returns the least alpha of a liquid with tension by curvature: 0.1 for a speed of sound of ten times the
+/// capillary speed of the spacing. The force has no potential, and excites waves of a few spacings.
+double leastWithTension(const Scene& s, const Material& m, double soundSpeed) {
+  if (s.numerics.tension != TensionForm::Curvature || !(m.surfaceTension > 0)) return 0;
+  const double capillary = std::sqrt(m.surfaceTension / (m.density * s.spacing));
+  return 0.1 * std::min(1.0, 10 * capillary / soundSpeed);
+}
+
 /// Raises a liquid to an alpha of 0.02, the customary value for inviscid liquids (ACM12). An
-/// alpha equals a viscosity of alpha c h rho / 10. Less in scenes with solids, since it drags coarse bodies.
+/// alpha equals a viscosity of alpha c h rho / 10. More with tension by curvature. Less in scenes with
+/// solids, since it drags coarse bodies.
 void chooseArtificialViscosity(Scene& s, const OpenChoices& open) {
   const bool solids = std::any_of(s.materials.begin(), s.materials.end(),
                                   [](const Material& m) { return m.canBeSolid(); });
@@ -46,7 +56,8 @@ void chooseArtificialViscosity(Scene& s, const OpenChoices& open) {
                              : lowest == m.viscosityTable.end() ? m.viscosity.liquid
                                                                 : lowest->second;
     const double unit = liquids[k].soundSpeed * s.numerics.support * s.spacing * m.density / 10;
-    m.artificialViscosity = std::max(0.0, least - viscosity / unit);
+    const double needed = std::max(least, leastWithTension(s, m, liquids[k].soundSpeed));
+    m.artificialViscosity = std::max(0.0, needed - viscosity / unit);
   }
 }
 
@@ -60,11 +71,25 @@ void chooseBulkDamping(Scene& s, const OpenChoices& open) {
 
 }  // namespace
 
+namespace {
+
+/// Returns whether nothing that the scene sets excludes tension by curvature.
+bool mayActByCurvature(const Scene& s, const OpenChoices& open) {
+  const Numerics& n = s.numerics;
+  const bool carried = open.density || n.density == DensityForm::Continuity,
+             shifted = open.shifting || n.shifting > 0;
+  return carried && shifted && n.support >= leastCurvatureSupport;
+}
+
+}  // namespace
+
 void chooseForLiquids(Scene& s, const OpenChoices& open) {
   Numerics& n = s.numerics;
   const bool equation = n.pressure == PairForm::Consistent && n.solver == PressureSolver::StateEquation;
-  const bool summed = someSurfaceTension(s) && n.tension != TensionForm::Curvature;
-  if (!equation || s.quality == Quality::Preview || liquidFillsTheBox(s) || summed) return;
+  if (!equation || s.quality == Quality::Preview || liquidFillsTheBox(s)) return;
+  const bool tension = someSurfaceTension(s);
+  if (tension && open.tension && mayActByCurvature(s, open)) n.tension = TensionForm::Curvature;
+  if (tension && n.tension != TensionForm::Curvature) return;
   if (open.density) n.density = DensityForm::Continuity;
   if (n.density != DensityForm::Continuity) return;
   if (open.shifting) n.shifting = length(s.domain.gravity) > 0 ? 0.07 : 0.2;

@@ -8,9 +8,13 @@
 
 namespace thaw {
 
+/// Smallest support of tension by curvature: a particle of the surface needs neighbours on it.
+constexpr double leastCurvatureSupport = 1.9;
+
 /// Choices of [numerics] and of the body that fills the box that the scene leaves open.
 struct OpenChoices {
-  bool density = true, tensileLimit = true, shifting = true, viscosityCorrection = true, packing = true;
+  bool density = true, tensileLimit = true, shifting = true, tension = true;
+  bool viscosityCorrection = true, packing = true;
   std::vector<std::uint8_t> artificialViscosity;  ///< per material: 1 if the scene does not set it
   std::vector<std::uint8_t> bulkDamping;          ///< the same
 };
@@ -29,8 +33,9 @@ void chooseForFullBox(Scene& scene, const OpenChoices& open);
 /// Sets the defaults of liquids with a free surface: carried density, negative pressure and particle
 /// shifting. With summed densities stretched liquid breaks up, and its lattice resists shear at rest.
 /// Artificial viscosity damps the noise of particles if the viscosity of a liquid is too small for it.
-/// Summation remains the default with surface tension (whose model is calibrated for it), quality =
-/// "preview", printed pressure and the incompressible solver.
+/// Surface tension acts by the curvature. Summed densities and the surface energy remain the defaults with
+/// quality = "preview", printed pressure and the incompressible solver. A scene that sets another form of
+/// tension gets summed densities, for which these forms are calibrated.
 void chooseForLiquids(Scene& scene, const OpenChoices& open);
 
 /// Switches the correction of the viscosity on if the viscosity of a liquid limits explicit steps more than

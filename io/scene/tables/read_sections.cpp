@@ -29,6 +29,7 @@ void noteOpenChoices(const TableReader& numerics, OpenChoices& open) {
   open.density = !numerics.has("density");
   open.tensileLimit = !numerics.has("tensile_limit");
   open.shifting = !numerics.has("shifting");
+  open.tension = !numerics.has("tension");
   open.viscosityCorrection = !numerics.has("viscosity_correction");
 }
 

@@ -95,7 +95,7 @@ void readNumerics(TableReader& r, Numerics& n) {
       "density", n.density, {"summation", "continuity", "plain"},
       "density of liquids. summation: a sum over positions, consistent with compression. "
       "continuity: integrated from the divergence of the flow. plain: the plain sum. Default: "
-      "\"continuity\"; \"summation\" with surface tension other than by \"curvature\", `quality = "
+      "\"continuity\"; \"summation\" with a form of `tension` other than \"curvature\", `quality = "
       "\"preview\"`, `pressure = \"printed\"` or the incompressible solver");
   r.flag("corrected_gradients", n.correctedGradients,
          "gradients of the continuity form are exact for linear fields inside the liquid (Bonet & Lok 1999)");
@@ -111,7 +111,7 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.byScene().number("tensile_limit", n.tensileLimit, "", between(0, 1),
                      "fraction of negative pressure that is kept. Above 0 it requires `density = "
                      "\"continuity\"` and shifting "
-                     "above 0. Default: 1 with both, except with surface tension other than by "
+                     "above 0. Default: 1 with both, except with a form of `tension` other than "
                      "\"curvature\", or `quality = \"preview\"`");
   r.choice("pressure_solver", n.solver, {"state equation", "incompressible"},
            "state equation: pressure from the density. incompressible: solved for, so that liquids keep "
@@ -157,12 +157,14 @@ void readNumerics(TableReader& r, Numerics& n) {
               "closed containers full of one liquid: a free surface would be weightless. density: the whole "
               "weight acts. automatic: boussinesq where liquid of one density fills a closed domain, "
               "else density");
-  r.choice(
+  r.byScene().choice(
       "tension", n.tension, {"pairwise", "colour field", "surface energy", "curvature"},
       "pairwise: cohesion of pairs, cheap, but drops behave like soft crystals. colour field: as printed in "
       "Keiser et al. 2005. surface energy: drops have Laplace's pressure and oscillate like liquids. Energy "
       "and momentum are conserved, but surfaces at rest resist flow. curvature: a force by the curvature of "
-      "the free surface, for contact angles and flow along surfaces. It needs density = \"continuity\"");
+      "the free surface, for contact angles and flow along surfaces. It needs `density = \"continuity\"` "
+      "and shifting. Default: \"curvature\"; \"surface energy\" without these two, with a support below "
+      "1.9, `quality = \"preview\"`, `pressure = \"printed\"` or the incompressible solver");
   r.as(Restart::State)
       .choice("heat", n.heat, {"enthalpy", "paper"},
               "enthalpy: with latent heat. paper: the plain temperature of Keiser et al. 2005");

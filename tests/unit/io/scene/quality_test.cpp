@@ -104,16 +104,25 @@ TEST(Liquid, UsesContinuityAndNegativePressureByDefault) {
   }
 }
 
-TEST(Liquid, UsesSummationWithSurfaceTension) {
-  const auto densityOf = [](const std::string& tension) {
-    return readScene(sceneFilesOf(
-                         "drop.toml",
-                         "spacing = 0.01\n[domain]\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\n[material.water]\n" +
-                             tension + "\n[[body]]\nmaterial = 'water'\nsphere = { radius = 0.1 }\n"))
-        .numerics.density;
+TEST(Liquid, SurfaceTensionActsByCurvatureWhereTheSceneAllowsIt) {
+  const auto numericsOf = [](const std::string& numerics, const std::string& top = "") {
+    return readScene(sceneFilesOf("drop.toml",
+                                  top + "spacing = 0.01\n[domain]\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\n" +
+                                      "[numerics]\n" + numerics +
+                                      "\n[material.water]\nsurface_tension = 0.07\n"
+                                      "[[body]]\nmaterial = 'water'\nsphere = { radius = 0.1 }\n"))
+        .numerics;
   };
-  EXPECT_EQ(densityOf(""), DensityForm::Continuity);
-  EXPECT_EQ(densityOf("surface_tension = 0.07"), DensityForm::Summation);
+  EXPECT_EQ(numericsOf("").tension, TensionForm::Curvature);
+  EXPECT_EQ(numericsOf("").density, DensityForm::Continuity);
+  EXPECT_EQ(numericsOf("").tensileLimit, 1);
+  for (const char* other : {"density = 'summation'", "shifting = 0", "support = 1.5",
+                            "pressure_solver = 'incompressible'", "tension = 'surface energy'"}) {
+    EXPECT_EQ(numericsOf(other).tension, TensionForm::SurfaceEnergy) << other;
+    EXPECT_EQ(numericsOf(other).density, DensityForm::Summation) << other;
+  }
+  EXPECT_EQ(numericsOf("", "quality = 'preview'\n").tension, TensionForm::SurfaceEnergy);
+  EXPECT_EQ(numericsOf("tension = 'pairwise'").density, DensityForm::Summation);
 }
 
 TEST(Liquid, NegativePressureRequiresShiftingAndContinuity) {

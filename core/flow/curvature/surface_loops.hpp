@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Loops over the particles of the free surface. surfaceGradient is the outward normal times the weight of a
+// particle in sums over the surface; 0 inside.
+#pragma once
+#include <algorithm>
+
+#include "core/flow/curvature/surface_curvature.hpp"
+
+namespace thaw {
+
+/// Returns the weight of a particle in sums over the surface.
+inline double weightOf(const Continuum& p, std::uint32_t j) { return length(p.surfaceGradient[j]); }
+
+/// Calls row(i, group, lane) for each owned row at the surface.
+template<class Row> void eachAtSurface(const CurvatureContext& x, Row&& row) {
+  const NeighbourLists& lists = x.neighbours;
+  for (std::size_t g = 0; g < lists.groups; g++)
+    for (std::size_t l = 0; l < 8; l++) {
+      const std::uint32_t i = lists.self[8 * g + l];
+      if (i != lists.dummy && weightOf(x.world.particles, i) > 0) row(i, g, l);
+    }
+}
+
+/// Calls pair(j, d) for each neighbour at the surface, d = (x_j - x_i) / h.
+template<class Pair>
+void eachNeighbour(const CurvatureContext& x, std::uint32_t i, std::size_t g, std::size_t l, Pair&& pair) {
+  const NeighbourLists& lists = x.neighbours;
+  const Continuum& p = x.world.particles;
+  for (std::uint32_t k = 0; k < lists.count[g]; k++) {
+    const std::uint32_t j = lists.row(g, k, l);
+    if (j == lists.dummy || p.surfaceGradient[j] == Vec3d{}) continue;
+    const Vec3d d = (p.position[j] - p.position[i]) / x.world.grid.support;
+    if (dot(d, d) < 1) pair(j, d);
+  }
+}
+
+/// Returns 0 up to `from`, 1 from `to` on, and a cubic between.
+inline double smoothStep(double from, double to, double x) {
+  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+/// Returns 1 for particles at one face of a surface, 0 for those at opposite faces of a film, from vectors
+/// along their normals. Smooth between angles of 60 and 120 degrees.
+inline double sameFace(const Vec3d& a, const Vec3d& b) {
+  const double size = length(a) * length(b);
+  return size > 0 ? smoothStep(-0.5, 0.5, dot(a, b) / size) : 1;
+}
+
+}  // namespace thaw

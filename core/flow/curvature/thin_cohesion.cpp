@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/flow/curvature/thin_cohesion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/fluid/laws/particle_pressure.hpp"
+#include "core/halo/exchange.hpp"
+#include "core/materials/rest_density.hpp"
+#include "core/walls/wall_surface_energy.hpp"
+
+namespace thaw {
+namespace {
+
+/// q (1 - q)^2 (q - a), repulsive below q = a, and its moment int_0^1 q^4 phi dq (TP16 eq. 14).
+constexpr double repulsiveBelow = 0.4, moment = 1.0 / 252 - repulsiveBelow / 168;
+double cohesionAt(double q) { return q * (1 - q) * (1 - q) * (q - repulsiveBelow); }
+
+/// Distances from a wall in spacings, between which the wall's part of the cohesion ends.
+constexpr double onWallUpTo = 0.75, offWallFrom = 1.5;
+
+/// Returns the tension of a film over that of one between two gases: on a wall, one face is covered, which
+/// leaves gamma (1 - cos(theta)) of 2 gamma.
+double uncovered(const CurvatureContext& x, std::uint32_t row) {
+  const WallView& w = x.world;
+  double least = 1;
+  for (const WallContact& c : contactsOf(x.contacts, row)) {
+    const double on = std::clamp((offWallFrom - c.distance / w.scene.spacing) / (offWallFrom - onWallUpTo),
+                                 0.0, 1.0),
+                 wetting = wettingOf(w.scene.materials[w.particles.material[row]],
+                                     w.walls.list[c.wall].properties);
+    least = std::min(least, 1 - on * 0.5 * (1 + wetting));
+  }
+  return least;
+}
+
+/// Packs the data of pairs into surfaceGradient: x: 1 - resolved; y: uncovered; z: V sqrt(gamma) in liquid,
+/// else 0.
+void packCohesion(const CurvatureContext& x, const std::vector<FreeSurfaceElement>& elements) {
+  const WallView& w = x.world;
+  Continuum& p = w.particles;
+  for (std::uint32_t i = 0; i < p.owned; i++) {
+    const double f = p.phase[i] == Liquid ? liquidFraction(p, i) : 0;
+    p.surfaceGradient[i] = {};
+    if (f == 0) continue;
+    p.surfaceGradient[i] = {1 - elements[i].resolved, uncovered(x, i),
+                            restVolumeOf(p, w.scene.materials, i) * std::sqrt(tensionAt(w, i))};
+  }
+}
+
+}  // namespace
+
+void addThinCohesion(const CurvatureContext& x, const std::vector<FreeSurfaceElement>& elements,
+                     std::vector<Vec3d>& force) {
+  Continuum& p = x.world.particles;
+  const NeighbourLists& lists = x.neighbours;
+  const double h = x.world.grid.support, h2 = h * h, scale = 8 / (std::numbers::pi * moment) / (h2 * h2 * h);
+  packCohesion(x, elements);
+  refresh(x.halo, p, ColumnList{&p.surfaceGradient}).wait();
+  const auto isThin = [&](std::size_t i) { return p.surfaceGradient[i].x > 0; };
+  std::size_t first = 0;
+  while (first < p.size() && !isThin(first)) first++;
+  if (first == p.size()) return;
+  for (std::size_t g = 0; g < lists.groups; g++)
+    for (std::size_t l = 0; l < 8 && lists.fluid[g]; l++) {
+      const std::uint32_t i = lists.self[8 * g + l];
+      if (i == lists.dummy || !(p.surfaceGradient[i].z > 0)) continue;
+      const Vec3d own = p.surfaceGradient[i], at = p.position[i];
+      Vec3d sum{};
+      for (std::uint32_t k = 0; k < lists.count[g]; k++) {
+        const std::uint32_t j = lists.row(g, k, l);
+        if (j == lists.dummy) continue;
+        const Vec3d& other = p.surfaceGradient[j];
+        const double thin = std::max(own.x, other.x);
+        if (!(thin * other.z > 0)) continue;
+        const Vec3d d = p.position[j] - at;
+        const double q = length(d) / h;
+        if (q < 1 && q > 1e-6)
+          sum += d * (thin * std::min(own.y, other.y) * other.z * cohesionAt(q) / (q * h));
+      }
+      force[i] += sum * (own.z * scale);
+    }
+}
+
+}  // namespace thaw
