@@ -11,7 +11,7 @@ namespace thaw {
 
 namespace {
 
-constexpr int rounds = 4;
+constexpr int rounds = 3;
 /// The first rounds project only to within the height of a facet.
 constexpr int roundsWithoutProjection = 2;
 /// Edges below this length, in cubes, collapse.
@@ -44,7 +44,7 @@ class Improver {
     projects_ = true;
     for (const double turn : leastTurnOfRepairs) {
       leastTurn_ = turn;
-      repairSharpTriangles();
+      if (repairSharpTriangles() == 0) break;
     }
     finish();
     return cuts_;
@@ -284,43 +284,44 @@ class Improver {
     return true;
   }
 
-  /// Tries all changes at a triangle, and makes the best. Returns whether there was one.
-  bool repair(std::uint32_t t) {
+  /// Tries all changes at a triangle, and makes the best.
+  void repair(std::uint32_t t) {
     const Triangle c = edits_.triangle(t);
-    if (cutNeckAt(c)) return true;
+    if (cutNeckAt(c)) return;
     const double now = sharpestCosine(at(c[0]), at(c[1]), at(c[2]));
     Target best{0, 0, {}, {}};
     for (std::size_t k = 0; k < 3; k++) {
       const Target to = bestCollapse(c[k], c[(k + 1) % 3]);
       if (to.sharpest < best.sharpest) best = to;
     }
-    if (best.sharpest < std::min(now - 1e-6, sharp)) return collapse(best), true;
+    if (best.sharpest < std::min(now - 1e-6, sharp)) return collapse(best);
     for (std::size_t k = 0; k < 3; k++) {
       const std::uint32_t a = c[k], b = c[(k + 1) % 3];
       const TriangleEdits::Edge e = edits_.edge(a, b);
       if ((isFixed(a) && isFixed(b)) || !edits_.mayFlip(a, b, e) || !flipImproves(a, b, e)) continue;
       edits_.flip(a, b, e);
-      return true;
+      return;
     }
     for (const std::uint32_t v : c) {
       if (isFixed(v)) continue;
       const double around = sharpestAround(v, at(v), TriangleEdits::removed);
-      if (moveTo(v, centroidAround(v), around - 1e-6)) return true;
+      if (moveTo(v, centroidAround(v), around - 1e-6)) return;
     }
-    if (best.sharpest < now - 1e-6) return collapse(best), true;
-    return false;
+    if (best.sharpest < now - 1e-6) collapse(best);
   }
 
-  /// Returns the number of changes.
+  /// Returns the number of sharp triangles that were found.
   std::size_t repairSharpTriangles() {
-    std::size_t changes = 0;
+    std::size_t found = 0;
     for (std::uint32_t t = 0; t < m_.mesh.triangles.size(); t++) {
       if (!edits_.exists(t)) continue;
       const Triangle& c = edits_.triangle(t);
       const double cosine = sharpestCosine(at(c[0]), at(c[1]), at(c[2]));
-      if (cosine > (leastTurn_ > 0.3 ? sharp : verySharp)) changes += repair(t);
+      if (!(cosine > (leastTurn_ > 0.3 ? sharp : verySharp))) continue;
+      found++;
+      repair(t);
     }
-    return changes;
+    return found;
   }
 
   void finish() {
