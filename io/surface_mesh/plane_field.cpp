@@ -15,6 +15,16 @@ Vec3f singleOf(const Vec3d& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
+/// A surfel as it is summed.
+struct Plane {
+  Plane(const SurfaceFrame& frame, std::size_t i)
+      : normal{frame.normals[i].x, frame.normals[i].y, frame.normals[i].z},
+        colour{double(frame.colours[i].r), double(frame.colours[i].g), double(frame.colours[i].b)},
+        sharpness(0.5 / (planeSharpness * frame.radii[i] * planeSharpness * frame.radii[i])) {}
+  Vec3d normal, colour;
+  double sharpness;  ///< 1/m^2
+};
+
 /// Weighted sums of the planes around a position.
 struct PlaneSums {
   double weight = 0, value = 0;
@@ -22,17 +32,13 @@ struct PlaneSums {
 
   /// Adds a plane at a vector `away` from it. nearest2: m^2, square of the distance to the nearest surfel.
   /// Weights are relative to that one, so they do not vanish far from the surface.
-  void add(const SurfaceFrame& frame, std::size_t i, const Vec3d& away, double nearest2) {
-    const double width = planeSharpness * frame.radii[i];
-    const double w = std::exp(std::max(-60.0, (nearest2 - dot(away, away)) * 0.5 / (width * width)));
-    const Vec3f& m = frame.normals[i];
-    const Rgb& c = frame.colours[i];
-    const Vec3d n{m.x, m.y, m.z};
+  void add(const Plane& plane, const Vec3d& away, double nearest2) {
+    const double w = std::exp(std::max(-60.0, (nearest2 - dot(away, away)) * plane.sharpness));
     weight += w;
-    value += w * dot(away, n);
+    value += w * dot(away, plane.normal);
     offset += w * away;
-    normal += w * n;
-    colour += w * Vec3d{static_cast<double>(c.r), static_cast<double>(c.g), static_cast<double>(c.b)};
+    normal += w * plane.normal;
+    colour += w * plane.colour;
   }
   double height() const {
     const double l = length(normal);
@@ -75,7 +81,7 @@ PlaneHeight PlaneField::at(const Vec3d& x) const {
   PlaneSums sums;
   for (const auto& [i, d2] : near)
     if (!(dot(frame_.normals[i], frame_.normals[nearest]) < planeAgreement))
-      sums.add(frame_, i, x - frame_.positions[i], nearest2);
+      sums.add(Plane(frame_, i), x - frame_.positions[i], nearest2);
   h.value = sums.height();
   h.normal = singleOf(sums.normal);
   h.colour = singleOf(sums.colour / sums.weight);
@@ -91,20 +97,21 @@ BandHeights heightsAround(const SurfaceFrame& frame, BandGrid& grid) {
   };
   std::vector<Nearest> nearest;
   for (std::size_t i = 0; i < frame.radii.size(); i++)
-    grid.forCornersNear(frame.positions[i], reach(i), [&](const BandGrid::Corner& c) {
+    grid.forCornersNear(frame.positions[i], reach(i), [&](const BandGrid::Corner& c, const Vec3d& away) {
       const auto slot = static_cast<std::size_t>(grid.makeSlot(c));
-      if (slot >= nearest.size()) nearest.resize(slot + 1);
-      const Vec3d away = grid.place(c) - frame.positions[i];
+      if (slot >= nearest.size()) nearest.push_back({});
       if (dot(away, away) < nearest[slot].distance2) nearest[slot] = {dot(away, away), i};
     });
   std::vector<PlaneSums> sums(nearest.size());
-  for (std::size_t i = 0; i < frame.radii.size(); i++)
-    grid.forCornersNear(frame.positions[i], reach(i), [&](const BandGrid::Corner& c) {
-      const auto slot = static_cast<std::size_t>(grid.at(c));
+  for (std::size_t i = 0; i < frame.radii.size(); i++) {
+    const Plane plane(frame, i);
+    grid.forCornersNear(frame.positions[i], reach(i), [&](const BandGrid::Corner& c, const Vec3d& away) {
+      const auto slot = static_cast<std::size_t>(grid.slotOf(c));
       const Nearest& at = nearest[slot];
-      if (dot(frame.normals[i], frame.normals[at.row]) < planeAgreement) return;
-      sums[slot].add(frame, i, grid.place(c) - frame.positions[i], at.distance2);
+      if (!(dot(frame.normals[i], frame.normals[at.row]) < planeAgreement))
+        sums[slot].add(plane, away, at.distance2);
     });
+  }
   BandHeights heights;
   for (const PlaneSums& s : sums) {
     heights.values.push_back(s.height());
