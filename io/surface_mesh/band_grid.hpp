@@ -41,7 +41,8 @@ class BandGrid {
     return static_cast<std::uint64_t>(c[0] + count_[0] * (c[1] + count_[1] * c[2]));
   }
 
-  /// Calls f(corner, its vector from x) for corners within `reach` (m) of a position, in the grid and not beyond a cut.
+  /// Calls f(corner, its vector from x) for corners within `reach` (m) of a position, in the grid and not
+  /// beyond a cut.
   template<class F> void forCornersNear(const Vec3d& x, double reach, F f) const;
 
   /// Returns the slot of a corner, and creates it if needed: slots count from 0 in order of creation.

@@ -249,7 +249,8 @@ class Improver {
         }
         const std::uint32_t a = c[longest], b = c[(longest + 1) % 3];
         const TriangleEdits::Edge e = edits_.edge(a, b);
-        if (e.found() && !isRim(a, b, e) && flipImproves(a, b, e) && edits_.mayFlip(a, b, e)) edits_.flip(a, b, e);
+        if (e.found() && !isRim(a, b, e) && flipImproves(a, b, e) && edits_.mayFlip(a, b, e))
+          edits_.flip(a, b, e);
       }
   }
 

@@ -32,8 +32,8 @@ TriangleMesh meshOf(const InsideFlags& inside) {
           std::array<std::uint32_t, 3> of;
           for (std::size_t k = 0; k < 3; k++) {
             const AxisEdge e = t[k];
-            const auto [at, fresh] =
-                onEdge.try_emplace({corner(e.from), e.axis}, static_cast<std::uint32_t>(onEdge.size()));
+            const auto [at, fresh] = onEdge.try_emplace({corner(e.from), e.axis},
+                                                        static_cast<std::uint32_t>(onEdge.size()));
             Vec3d place{double(x + (e.from & 1)), double(y + (e.from >> 1 & 1)), double(z + (e.from >> 2))};
             place[e.axis] += 0.5;
             if (fresh) mesh.vertices.push_back(place);
@@ -78,8 +78,8 @@ TEST(CubeTriangles, MeshesOfRandomCornersAreClosed) {
       for (int y = 1; y + 1 < side; y++)
         for (int x = 1; x + 1 < side; x++) {
           const int corner = cornerAt(x, y, z);
-          inside[static_cast<std::size_t>(corner)] =
-              randomShare(seed, static_cast<std::uint64_t>(corner) + 1) < share;
+          inside[static_cast<std::size_t>(corner)] = randomShare(seed, static_cast<std::uint64_t>(corner) +
+                                                                           1) < share;
         }
     expectClosed(meshOf(inside));
   }
