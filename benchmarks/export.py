@@ -4,7 +4,7 @@
 
   scripts/bench export [--repeat 3]
 
-usd: a frame of a surface mesh of 100,000 vertices (a ball with 50,000 surfels), `thaw export --as usd`.
+usd: a frame of a surface mesh of 100,000 vertices (a ball with 80,000 surfels), `thaw export --as usd`.
 picture: 60,000 surfels with three solid obstacles at 800 x 600, `thaw render`. Both use one thread, and the
 figures are medians. Targets: 100 of each in 60 s on two cores.
 """
@@ -69,7 +69,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         work = pathlib.Path(folder)
         boxes = "\n".join(BOX.format(x, y) for x, y in ((1.2, 0), (-1.2, 0), (0, 1.2)))
-        ball, staged = frameOf(work, "ball", 50000, ""), frameOf(work, "staged", 60000, boxes)
+        ball, staged = frameOf(work, "ball", 80000, ""), frameOf(work, "staged", 60000, boxes)
         cases = (
             (
                 "usd",

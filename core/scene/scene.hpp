@@ -303,6 +303,14 @@ struct Camera {
 /// nothing, or their own surfels.
 enum class Spray { Ellipsoids, Spheres, Hide, Surfels };
 
+/// Distant light of pictures.
+struct PictureLight {
+  Vec3d direction{0, 0, 1};         // from the scene to the light, any length
+  std::uint32_t colour = 0xffffff;  // as Material::colour
+  double strength = 1;              // 1: as the sun of pictures without lights
+  double size = 0.14;               // rad, angle that it subtends
+};
+
 struct Output {
   double every = 0.04;     // s of simulated time between frames
   double ledgerEvery = 0;  // s of simulated time between extra rows of ledger.csv; 0: only at frames
@@ -315,6 +323,9 @@ struct Output {
                        // there are only sheets, else speed
   std::optional<double> colourMin, colourMax;  // SI
   std::optional<std::uint32_t> background;     // pictures; as Material::colour; none: a pale sky
+  std::optional<std::uint32_t> backgroundTop;  // high in pictures; none: the same
+  std::vector<PictureLight> lights;            // pictures; none: the sun
+  double ambient = 1;                          // strength of the sky's light in pictures
   std::optional<Vec3d> sun;                    // direction from the scene to the sun of pictures; none: over
                                                // the camera's left shoulder
   Spray spray = Spray::Ellipsoids;             // pictures

@@ -32,8 +32,6 @@ void writePov(const std::filesystem::path& file, const SurfaceFrame& frame, cons
   const auto placed = [&](const Vec3d& x) { return scale * (x - middle); };
   const View view = viewOf(style.camera, style.width, style.height);
   const double tall = 2 * std::tan(0.5 * style.camera.fieldOfView), wide = tall * style.width / style.height;
-  const Vec3d sun = toDouble(sunDirection(style, view));
-
   OutFile out(file);
   out.text(
       fmt::format("// Surfels of thaw, t = {} s. povray +W{} +H{} +A0.2 {}\n#version 3.7;\nglobal_settings "
@@ -43,13 +41,17 @@ void writePov(const std::filesystem::path& file, const SurfaceFrame& frame, cons
   out.text(fmt::format("camera {{ perspective location {} right {} up {} direction {} }}\n",
                        vector(placed(style.camera.from)), vector(wide * toDouble(view.right)),
                        vector(tall * toDouble(view.up)), vector(toDouble(view.forward))));
-  const Rgb sky = style.background.value_or(Rgb{209, 217, 224});
+  const Rgb sky = style.lighting.background.value_or(Rgb{209, 217, 224});
   out.text(fmt::format("background {{ srgb <{:.2f},{:.2f},{:.2f}> }}\n", sky.r / 255.0, sky.g / 255.0,
                        sky.b / 255.0));
-  out.text(fmt::format(
-      "light_source {{ {} rgb 0.95 area_light {} {} 5, 5 adaptive 1 circular orient jitter parallel point_at "
-      "<0,0,0> }}\n",
-      vector(100.0 * sun), vector(12.0 * toDouble(view.right)), vector(12.0 * toDouble(view.up))));
+  for (const LightSource& light : lightSources(style.lighting, view)) {
+    const double width = 12 * light.radius / 0.07f;
+    out.text(fmt::format(
+        "light_source {{ {} rgb {} area_light {} {} 5, 5 adaptive 1 circular orient jitter parallel point_at "
+        "<0,0,0> }}\n",
+        vector(100.0 * toDouble(light.toLight)), vector(0.95 * toDouble(light.colour)),
+        vector(width * toDouble(view.right)), vector(width * toDouble(view.up))));
+  }
   out.text(fmt::format("light_source {{ {} rgb 0.25 shadowless parallel point_at <0,0,0> }}\n",
                        vector(100.0 * (toDouble(view.up) - toDouble(view.forward)))));
   for (const FloorHint& f : style.floors)

@@ -25,6 +25,22 @@ struct GlassHint {
   Vec3d move{};                      ///< m
 };
 
+/// Distant light.
+struct DistantLight {
+  Vec3d direction{0, 0, 1};  ///< to the light, any length
+  Vec3f colour{1, 1, 1};     ///< linear red, green, blue; 1: as bright as the default sun
+  double size = 0.14;        ///< rad, angle that it subtends
+};
+
+/// Background and light of a picture.
+struct Lighting {
+  std::optional<Rgb> background;     ///< empty: a pale sky
+  std::optional<Rgb> backgroundTop;  ///< high above the horizon; empty: as `background`
+  std::optional<Vec3d> sun;  ///< direction to the sun, any length; empty: over the camera's left shoulder
+  std::vector<DistantLight> lights;  ///< replace the sun; the first one makes highlights
+  float ambient = 1;                 ///< strength of the sky's light
+};
+
 struct RenderStyle {
   int width = 1280, height = 960;  ///< pixels
   int samples = 2;                 ///< samples per pixel along each axis, 1 to 4
@@ -33,9 +49,8 @@ struct RenderStyle {
   float spacing = 0;  ///< m, particle spacing for surface normals; 0: from the radii
   std::vector<FloorHint> floors;
   std::vector<GlassHint> glasses;
-  std::optional<Rgb> background;  ///< empty: a pale sky
-  std::optional<Vec3d> sun;  ///< direction to the sun, any length; empty: over the camera's left shoulder
-  ViewBox stage;             ///< m, region of interest: floors fade away from it; empty: the particles
+  Lighting lighting;
+  ViewBox stage;  ///< m, region of interest: floors fade away from it; empty: the particles
 };
 
 }  // namespace thaw

@@ -156,8 +156,7 @@ std::vector<fs::path> renderFrames(const FrameJob& job, const ReadFrame& read) {
   style.width = job.width;
   style.height = job.height;
   style.samples = job.samples;
-  style.background = job.background;
-  style.sun = job.sun;
+  style.lighting = job.lighting;
   style.stage = common.box;
   const std::vector<DrawnObstacle> solids = solidObstacles(job.walls);
   addToBox(solids, style.stage);  // floors fade away from all that casts shadows

@@ -56,8 +56,7 @@ struct FrameJob {
   PeriodicSides periodic;  ///< sides of the domain: surfaces across them are unwrapped
   float radius = 0;        ///< radius of spheres in spacings, or surfels' discs in their radii; 0: default
   Walls walls;             ///< at their rest poses: planes are floors, other obstacles glass or solid
-  std::optional<Rgb> background;  ///< empty: a pale sky
-  std::optional<Vec3d> sun;       ///< direction to the sun; empty: over the camera's left shoulder
+  Lighting lighting;
   Spray spray = Spray::Ellipsoids;
   int threads = 0;                                       ///< 0: one per core
   std::function<void(Image&, const RenderStyle&)> over;  ///< draws over each picture; empty: nothing

@@ -6,10 +6,23 @@
 
 #include "core/geometry/basic/signed_distance.hpp"
 #include "core/scene/modules.hpp"
+#include "io/image/linear_light.hpp"
 #include "io/scene/read_scene.hpp"
 #include "io/scene/scene_for_all.hpp"
 
 namespace thaw {
+
+Lighting lightingOf(const Output& output) {
+  Lighting lighting;
+  if (output.background) lighting.background = rgbOf(*output.background);
+  if (output.backgroundTop) lighting.backgroundTop = rgbOf(*output.backgroundTop);
+  lighting.sun = output.sun;
+  for (const PictureLight& l : output.lights)
+    lighting.lights.push_back(
+        {l.direction, static_cast<float>(l.strength) * toLinear(rgbOf(l.colour)), l.size});
+  lighting.ambient = static_cast<float>(output.ambient);
+  return lighting;
+}
 
 FrameJob jobOfScene(const Scene& scene) {
   FrameJob job;
@@ -26,8 +39,7 @@ FrameJob jobOfScene(const Scene& scene) {
   job.spacing = static_cast<float>(scene.spacing);
   job.interval = scene.output.every;
   job.periodic = periodicSidesOf(scene.domain);
-  if (scene.output.background) job.background = rgbOf(*scene.output.background);
-  job.sun = scene.output.sun;
+  job.lighting = lightingOf(scene.output);
   job.spray = scene.output.spray;
   const MeshLoader load = meshLoader();
   for (const Obstacle& obstacle : scene.obstacles) {

@@ -8,6 +8,9 @@
 
 namespace thaw {
 
+/// Returns background and lights of a scene's pictures.
+Lighting lightingOf(const Output& output);
+
 /// Returns title, field and range of colours, camera (unless fitted), size, spray, spacing and walls of the
 /// scene's pictures. Throws like makeSignedDistance for invalid shapes.
 FrameJob jobOfScene(const Scene& scene);

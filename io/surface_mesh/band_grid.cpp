@@ -106,15 +106,22 @@ void BandGrid::classify(const std::vector<std::uint8_t>& isInside) {
     for (const Region::Node& n : region.nodes)
       (n.block ? region.blockAt(n.corner) : region.slotAt(n.corner)) = inside;
   };
-  // Every region is adjacent to a slot, or fills a grid without slots.
-  for (const Corner& corner : corners_)
-    for (std::size_t a = 0; a < 3; a++)
-      for (const int step : {-1, 1}) {
-        Corner next = corner;
-        next[a] += step;
-        if (next[a] >= first_[a] && next[a] <= last_[a] && at(next) == open) classifyFrom(next);
-      }
-  if (corners_.empty()) std::fill(table_.begin(), table_.end(), outside);
+  if (corners_.empty()) {
+    std::fill(table_.begin(), table_.end(), outside);
+    return;
+  }
+  for (std::size_t block = 0; block < table_.size(); block++) {
+    const auto number = static_cast<std::int64_t>(block);
+    const Corner low{side * (number % blocks_[0]), side * (number / blocks_[0] % blocks_[1]),
+                     side * (number / (blocks_[0] * blocks_[1]))};
+    if (table_[block] == open)
+      classifyFrom({std::max(low[0], first_[0]), std::max(low[1], first_[1]), std::max(low[2], first_[2])});
+    if (table_[block] < 0) continue;
+    const Block& stored = kept_[static_cast<std::size_t>(table_[block])];
+    for (std::int64_t k = 0; k < side * side * side; k++)
+      if (stored.slot[static_cast<std::size_t>(k)] == open)
+        classifyFrom({low[0] + k % side, low[1] + k / side % side, low[2] + k / (side * side)});
+  }
 }
 
 }  // namespace thaw

@@ -41,13 +41,18 @@ class BandGrid {
     return static_cast<std::uint64_t>(c[0] + count_[0] * (c[1] + count_[1] * c[2]));
   }
 
-  /// Calls f(corner) for corners within `reach` (m) of a position, in the grid and not beyond a cut.
+  /// Calls f(corner, its vector from x) for corners within `reach` (m) of a position, in the grid and not
+  /// beyond a cut.
   template<class F> void forCornersNear(const Vec3d& x, double reach, F f) const;
 
   /// Returns the slot of a corner, and creates it if needed: slots count from 0 in order of creation.
   std::int32_t makeSlot(const Corner& c);
   /// Returns the slot, or outside, inside, open (a corner without slot before classify).
   std::int32_t at(const Corner& c) const;
+  /// Returns the slot of a corner that has one.
+  std::int32_t slotOf(const Corner& c) const {
+    return kept_[static_cast<std::size_t>(table_[static_cast<std::size_t>(blockOf(c))])].slot[within(c)];
+  }
   std::size_t slots() const { return corners_.size(); }
   const Corner& corner(std::size_t slot) const { return corners_[slot]; }
 
@@ -89,7 +94,7 @@ template<class F> void BandGrid::forCornersNear(const Vec3d& x, double reach, F 
     for (std::int64_t j = low[1]; j <= high[1]; j++)
       for (std::int64_t i = low[0]; i <= high[0]; i++) {
         const Vec3d d = place({i, j, k}) - x;
-        if (dot(d, d) < reach * reach) f(Corner{i, j, k});
+        if (dot(d, d) < reach * reach) f(Corner{i, j, k}, d);
       }
 }
 

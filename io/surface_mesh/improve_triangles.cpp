@@ -11,9 +11,9 @@ namespace thaw {
 
 namespace {
 
-constexpr int rounds = 4;
+constexpr int rounds = 2;
 /// The first rounds project only to within the height of a facet.
-constexpr int roundsWithoutProjection = 2;
+constexpr int roundsWithoutProjection = 1;
 /// Edges below this length, in cubes, collapse.
 constexpr double shortEdge = 0.55;
 /// A collapse makes no edge longer than this, in cubes.
@@ -44,7 +44,7 @@ class Improver {
     projects_ = true;
     for (const double turn : leastTurnOfRepairs) {
       leastTurn_ = turn;
-      repairSharpTriangles();
+      if (repairSharpTriangles() == 0) break;
     }
     finish();
     return cuts_;
@@ -55,7 +55,22 @@ class Improver {
 
   const Vec3d& at(std::uint32_t v) const { return m_.mesh.vertices[v]; }
   Vec3d normalOf(std::uint32_t v) const { return wide(m_.normals[v]); }
-  bool isFixed(std::uint32_t v) const { return band_.fixedAxes[v] != 0; }
+  /// Returns whether a vertex lies on a cut.
+  bool isOnCut(std::uint32_t v) const { return band_.fixedAxes[v] != 0; }
+  /// Returns whether a vertex lies inside a cap, off the cap's rim and the edges of the domain.
+  bool isInCap(std::uint32_t v) const {
+    const int axes = band_.fixedAxes[v] & ~MarchedBand::onCap;
+    return (band_.fixedAxes[v] & MarchedBand::onCap) && (axes & (axes - 1)) == 0;
+  }
+  bool isFixed(std::uint32_t v) const { return isOnCut(v) && !isInCap(v); }
+  /// Returns whether one vertex may collapse to another: it stays on its cuts, and no rim moves into a cap.
+  bool staysOnCuts(std::uint32_t from, std::uint32_t to) const {
+    const int own = band_.fixedAxes[from], others = band_.fixedAxes[to];
+    if (!(own & MarchedBand::onCap) && (others & MarchedBand::onCap)) return false;
+    for (int a = 0; a < 3; a++)
+      if ((own >> a & 1) && (!(others >> a & 1) || at(from)[a] != at(to)[a])) return false;
+    return true;
+  }
 
   /// Returns whether product > cosine * sqrt(squares).
   static bool exceedsCosine(double product, double cosine, double squares) {
@@ -76,6 +91,8 @@ class Improver {
     const Vec3d before = areaNormal(at(t[0]), at(t[1]), at(t[2])), after = areaNormal(c[0], c[1], c[2]);
     const double l2 = dot(after, after), was2 = dot(before, before), unit = spacing_ * spacing_;
     if (!(l2 > 1e-10 * unit * unit)) return false;
+    const bool isFlat = (band_.fixedAxes[t[0]] & band_.fixedAxes[t[1]] & band_.fixedAxes[t[2]] & 7) != 0;
+    if (isFlat) return dot(before, after) > 0;
     if (was2 > 4e-4 * unit * unit) return exceedsCosine(dot(before, after), leastTurn_, was2 * l2);
     if (leastTurn_ < leastTurn) return true;
     const Vec3d mean = normalOf(t[0]) + normalOf(t[1]) + normalOf(t[2]);
@@ -113,7 +130,7 @@ class Improver {
   /// Projects a position onto the surface near vertex v. Returns false where the surface is not defined, or
   /// is that of another side.
   bool project(std::uint32_t v, Vec3d& x, PlaneHeight& here) const {
-    if (!projects_) return true;
+    if (!projects_ || isInCap(v)) return true;
     here = planes_.at(x);
     if (!here.known || std::abs(here.value) > 0.3 * spacing_) return false;
     const Vec3d n = wide(here.normal);
@@ -149,11 +166,12 @@ class Improver {
   /// Returns the best collapse of an edge, or none (sharpest 1): to either end, or to the middle.
   Target bestCollapse(std::uint32_t a, std::uint32_t b) {
     Target best{a, b, {}, {}};
-    if ((isFixed(a) && isFixed(b)) || !edits_.mayCollapse(a, b)) return best;
+    if (!edits_.mayCollapse(a, b)) return best;
     for (int k = 0; k < 3; k++) {
       Target t{a, b, at(b), {}};
       if (k == 1) t = {b, a, at(a), {}};
-      if (isFixed(t.from) || (k == 2 && isFixed(t.to))) continue;
+      if (!staysOnCuts(t.from, t.to)) continue;
+      if (k == 2 && (isFixed(a) || isFixed(b) || isInCap(a) != isInCap(b))) continue;
       if (k == 2) {
         t.x = 0.5 * (at(a) + at(b));
         if (!project(b, t.x, t.here)) continue;
@@ -185,13 +203,20 @@ class Improver {
         return lb != lc ? lb < lc : b < c;
       });
       for (const std::uint32_t b : list) {
-        if (dot(m_.normals[a], m_.normals[b]) < 0.6f && size(b) > 0.2 * spacing_) continue;
+        const bool isFlat = isInCap(a) || isInCap(b);
+        if (!isFlat && dot(m_.normals[a], m_.normals[b]) < 0.6f && size(b) > 0.2 * spacing_) continue;
         const Target best = bestCollapse(a, b);
         if (best.sharpest > 0.97 || makesLongEdge(best.from, best.x)) continue;
         collapse(best);
         break;
       }
     }
+  }
+
+  /// Returns whether an edge keeps its place: on the rim of a cap, or where caps meet.
+  bool isRim(std::uint32_t a, std::uint32_t b, const TriangleEdits::Edge& e) const {
+    const int axes = band_.fixedAxes[a] & band_.fixedAxes[b] & 7;
+    return isOnCut(a) && isOnCut(b) && (axes & band_.fixedAxes[e.left] & band_.fixedAxes[e.right]) == 0;
   }
 
   /// Returns whether the flip of an edge improves the smallest angle of its triangles.
@@ -223,9 +248,9 @@ class Improver {
           if (dot(along, along) > most) most = dot(along, along), longest = j;
         }
         const std::uint32_t a = c[longest], b = c[(longest + 1) % 3];
-        if (isFixed(a) && isFixed(b)) continue;
         const TriangleEdits::Edge e = edits_.edge(a, b);
-        if (e.found() && flipImproves(a, b, e) && edits_.mayFlip(a, b, e)) edits_.flip(a, b, e);
+        if (e.found() && !isRim(a, b, e) && flipImproves(a, b, e) && edits_.mayFlip(a, b, e))
+          edits_.flip(a, b, e);
       }
   }
 
@@ -248,6 +273,8 @@ class Improver {
   bool moveTo(std::uint32_t v, Vec3d x, double most, bool orNow = false) {
     const Vec3d n = normalOf(v);
     x -= dot(x - at(v), n) * n;
+    for (int a = 0; a < 3; a++)
+      if (band_.fixedAxes[v] >> a & 1) x[a] = at(v)[a];
     PlaneHeight here;
     if (!project(v, x, here)) here.known = false;
     if (!keepsDirections(v, x, TriangleEdits::removed)) return false;
@@ -272,7 +299,7 @@ class Improver {
     for (std::size_t j = 1; j < 3; j++)
       if (size(t[j], t[(j + 1) % 3]) < size(t[k], t[(k + 1) % 3])) k = j;
     const std::uint32_t a = t[k], b = t[(k + 1) % 3], c = edits_.neckAt(a, b);
-    if (c == TriangleEdits::removed || isFixed(a) || isFixed(b) || isFixed(c)) return false;
+    if (c == TriangleEdits::removed || isOnCut(a) || isOnCut(b) || isOnCut(c)) return false;
     if (std::max({size(a, b), size(b, c), size(c, a)}) > widestNeck * spacing_) return false;
     if (!edits_.cutNeck({a, b, c})) return false;
     for (const std::uint32_t v : {a, b, c}) {
@@ -284,43 +311,45 @@ class Improver {
     return true;
   }
 
-  /// Tries all changes at a triangle, and makes the best. Returns whether there was one.
-  bool repair(std::uint32_t t) {
+  /// Tries all changes at a triangle, and makes the best.
+  void repair(std::uint32_t t) {
     const Triangle c = edits_.triangle(t);
-    if (cutNeckAt(c)) return true;
+    if (cutNeckAt(c)) return;
     const double now = sharpestCosine(at(c[0]), at(c[1]), at(c[2]));
     Target best{0, 0, {}, {}};
     for (std::size_t k = 0; k < 3; k++) {
       const Target to = bestCollapse(c[k], c[(k + 1) % 3]);
       if (to.sharpest < best.sharpest) best = to;
     }
-    if (best.sharpest < std::min(now - 1e-6, sharp)) return collapse(best), true;
+    if (best.sharpest < std::min(now - 1e-6, sharp)) return collapse(best);
     for (std::size_t k = 0; k < 3; k++) {
       const std::uint32_t a = c[k], b = c[(k + 1) % 3];
       const TriangleEdits::Edge e = edits_.edge(a, b);
-      if ((isFixed(a) && isFixed(b)) || !edits_.mayFlip(a, b, e) || !flipImproves(a, b, e)) continue;
+      if (!edits_.mayFlip(a, b, e) || isRim(a, b, e) || !flipImproves(a, b, e)) continue;
       edits_.flip(a, b, e);
-      return true;
+      return;
     }
     for (const std::uint32_t v : c) {
       if (isFixed(v)) continue;
       const double around = sharpestAround(v, at(v), TriangleEdits::removed);
-      if (moveTo(v, centroidAround(v), around - 1e-6)) return true;
+      if (moveTo(v, centroidAround(v), around - 1e-6)) return;
     }
-    if (best.sharpest < now - 1e-6) return collapse(best), true;
-    return false;
+    // Equal angles remain in rows of slivers, until the last one is gone.
+    if (best.sharpest < now + 1e-6) collapse(best);
   }
 
-  /// Returns the number of changes.
+  /// Returns the number of sharp triangles that were found.
   std::size_t repairSharpTriangles() {
-    std::size_t changes = 0;
+    std::size_t found = 0;
     for (std::uint32_t t = 0; t < m_.mesh.triangles.size(); t++) {
       if (!edits_.exists(t)) continue;
       const Triangle& c = edits_.triangle(t);
       const double cosine = sharpestCosine(at(c[0]), at(c[1]), at(c[2]));
-      if (cosine > (leastTurn_ > 0.3 ? sharp : verySharp)) changes += repair(t);
+      if (!(cosine > (leastTurn_ > 0.3 ? sharp : verySharp))) continue;
+      found++;
+      repair(t);
     }
-    return changes;
+    return found;
   }
 
   void finish() {

@@ -5,15 +5,19 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "core/geometry/builtin/marching_tetrahedra.hpp"
 #include "core/geometry/meshes/mesh_edges.hpp"
 #include "core/math/hash_random.hpp"
+#include "io/surface_mesh/cube_triangles.hpp"
 
 namespace thaw {
 
 namespace {
 
 using Corner = BandGrid::Corner;
+
+/// Smallest distance of a crossing from the ends of its edge, as a fraction of it, so that triangles do not
+/// degenerate.
+constexpr double nearestToCorner = 0.02;
 
 struct KeyHash {
   std::size_t operator()(std::uint64_t key) const { return mixBits(key); }
@@ -22,9 +26,10 @@ struct KeyHash {
 /// Marches the cubes that have a corner with a value, and those at a cut.
 struct BandMarcher {
   const BandGrid& grid;
-  const std::vector<double>& values;  // m, one per slot
+  const BandHeights& heights;
   const PlaneField& planes;
   const Vec3f deep;
+  const bool projectedLater;
   MarchedBand out;
   std::unordered_map<std::uint64_t, std::uint32_t, KeyHash> onEdge;
 
@@ -36,14 +41,26 @@ struct BandMarcher {
   struct EdgeValues {
     Vec3d p, along;
     double from, to;
+    double linear() const { return std::clamp(from / (from - to), nearestToCorner, 1 - nearestToCorner); }
   };
 
-  /// Returns the crossing of the surface along an edge, 0 to 1, and the surface near it. It iterates, since
-  /// values are not linear where the surface is curved. One iteration is enough for vertices that
-  /// improveTriangles projects.
+  /// Returns the surface between two corners, interpolated. It is unknown if a corner has no slot, or normals
+  /// disagree.
+  PlaneHeight between(const Corner& a, const Corner& b, float t) const {
+    const std::int32_t i = grid.at(a), j = grid.at(b);
+    if (i < 0 || j < 0) return {};
+    const std::size_t from = static_cast<std::size_t>(i), to = static_cast<std::size_t>(j);
+    if (!(dot(heights.normals[from], heights.normals[to]) > 0)) return {};
+    return {0, mixed(heights.normals[from], heights.normals[to], t),
+            mixed(heights.colours[from], heights.colours[to], t), true};
+  }
+  static Vec3f mixed(const Vec3f& a, const Vec3f& b, float t) { return (1 - t) * a + t * b; }
+
+  /// Returns the crossing of the surface along an edge, 0 to 1, and the surface near it, if that is not known
+  /// yet. It iterates, since values are not linear where the surface is curved.
   double zeroOn(const EdgeValues& edge, int iterations, PlaneHeight& here) {
     const Vec3d &p = edge.p, &along = edge.along;
-    double from = edge.from, to = edge.to, low = 0, high = 1, t = crossing(from, to);
+    double from = edge.from, to = edge.to, low = 0, high = 1, t = edge.linear();
     for (int k = 0; k < iterations; k++) {
       here = planes.at(p + t * along);
       if (!here.known) break;
@@ -84,34 +101,43 @@ struct BandMarcher {
     return number;
   }
 
-  std::uint32_t vertex(const Corner& low, const double (&value)[8], const CubeEdge& e) {
-    const Corner from = cornerOf(low, e.from), to = cornerOf(low, e.to);
+  std::uint32_t vertex(const Corner& low, const double (&value)[8], const AxisEdge& e) {
+    const Corner from = cornerOf(low, e.from), to = cornerOf(low, e.to());
     if (grid.beyond(to)) return onCap(from);
     if (grid.beyond(from)) return onCap(to);
-    const auto [number, fresh] = numberOf(from, e.direction());
+    const auto [number, fresh] = numberOf(from, e.axis);
     if (!fresh) return number;
     const Vec3d p = grid.place(from), along = grid.place(to) - p;
     PlaneHeight here;
     const int fixedAxes = grid.onCut(from) & grid.onCut(to);
-    const double t = zeroOn({p, along, value[e.from], value[e.to]}, fixedAxes != 0 ? 3 : 1, here);
+    const EdgeValues edge{p, along, value[e.from], value[e.to()]};
+    if (projectedLater && fixedAxes == 0) here = between(from, to, static_cast<float>(edge.linear()));
+    const double t = zeroOn(edge, fixedAxes != 0 ? 3 : here.known ? 0 : 1, here);
     add(p + t * along, here.normal, here.colour, fixedAxes);
     return number;
   }
 
-  /// own: first slot among the cube's corners, by which it is marched once; -1: cube without slots.
-  void marchCubeOf(const Corner& low, std::int32_t own) {
+  double valueOf(std::int32_t slot) const {
+    return slot >= 0                  ? heights.values[static_cast<std::size_t>(slot)]
+           : slot == BandGrid::inside ? -grid.spacing()
+                                      : grid.spacing();
+  }
+
+  /// own: corner with the first slot of the cube, by which it is marched once; 8: cube without slots.
+  void marchCubeOf(const Corner& low, int own) {
     double value[8];
-    std::int32_t first = -1;
+    unsigned inside = 0;
     for (int c = 0; c < 8; c++) {
       const std::int32_t slot = grid.at(cornerOf(low, c));
-      if (slot >= 0 && first < 0) first = slot;
-      value[c] = slot >= 0                  ? values[static_cast<std::size_t>(slot)]
-                 : slot == BandGrid::inside ? -grid.spacing()
-                                            : grid.spacing();
+      if (slot >= 0 && c < own) return;
+      value[c] = valueOf(slot);
+      if (value[c] < 0) inside |= 1u << c;
     }
-    if (first == own)
-      marchCube(
-          value, [&](const CubeEdge& e) { return vertex(low, value, e); }, out.mesh.mesh);
+    for (const auto& t : cubeTriangles(static_cast<std::uint8_t>(inside))) {
+      const std::uint32_t a = vertex(low, value, t[0]), b = vertex(low, value, t[1]),
+                          c = vertex(low, value, t[2]);
+      if (a != b && b != c && c != a) out.mesh.mesh.triangles.push_back({a, b, c});  // not along a cut
+    }
   }
 
   /// Cubes beyond a cut, where the inside may be far from all surfels.
@@ -129,7 +155,7 @@ struct BandMarcher {
             low[axis] = layer, low[u] = i, low[v] = j;
             bool before = false;  // marched for another axis
             for (std::size_t a = 0; a < axis; a++) before = before || isCap(low, a);
-            if (!before) marchCubeOf(low, -1);
+            if (!before) marchCubeOf(low, 8);
           }
     }
   }
@@ -138,7 +164,7 @@ struct BandMarcher {
     for (std::size_t s = 0; s < grid.slots(); s++)
       for (int c = 0; c < 8; c++) {
         const Corner& at = grid.corner(s);
-        marchCubeOf({at[0] - (c & 1), at[1] - (c >> 1 & 1), at[2] - (c >> 2)}, static_cast<std::int32_t>(s));
+        marchCubeOf({at[0] - (c & 1), at[1] - (c >> 1 & 1), at[2] - (c >> 2)}, c);
       }
     marchCaps();
   }
@@ -146,9 +172,9 @@ struct BandMarcher {
 
 }  // namespace
 
-MarchedBand marchBand(const BandGrid& grid, const std::vector<double>& values, const PlaneField& planes,
-                      const Vec3f& deep) {
-  BandMarcher marcher{grid, values, planes, deep, {}, {}};
+MarchedBand marchBand(const BandGrid& grid, const BandHeights& heights, const PlaneField& planes,
+                      const Vec3f& deep, bool projectedLater) {
+  BandMarcher marcher{grid, heights, planes, deep, projectedLater, {}, {}};
   marcher.onEdge.reserve(grid.slots());
   marcher.march();
   return std::move(marcher.out);

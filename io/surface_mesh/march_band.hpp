@@ -15,11 +15,11 @@ struct MarchedBand {
                                         ///< inside a cap
 };
 
-/// Marches all cubes that the surface crosses. values: heights over the surface at the corners (m, one per
-/// slot). At a cut the inside ends with a flat cap on the plane, with a vertex at each inside corner. Corners
-/// far from all surfels have the colour `deep` (sRGB 0 to 255).
-MarchedBand marchBand(const BandGrid& grid, const std::vector<double>& values, const PlaneField& planes,
-                      const Vec3f& deep);
+/// Marches all cubes that the surface crosses. At a cut the inside ends with a flat cap on the plane, with a
+/// vertex at each inside corner. Corners far from all surfels have the colour `deep` (sRGB 0 to 255).
+/// projectedLater: vertices and normals are interpolated between corners, for improveTriangles.
+MarchedBand marchBand(const BandGrid& grid, const BandHeights& heights, const PlaneField& planes,
+                      const Vec3f& deep, bool projectedLater);
 
 /// Removes spurious closed shells next to a larger one. One test is a volume below two cubes, since nearest
 /// surfels may disagree at sharp edges. The other is less than half of the area on discs: for bubbles and

@@ -9,9 +9,48 @@
 
 namespace thaw {
 
+namespace {
+
+Vec3f singleOf(const Vec3d& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+/// A surfel as it is summed.
+struct Plane {
+  Plane(const SurfaceFrame& frame, std::size_t i)
+      : normal{frame.normals[i].x, frame.normals[i].y, frame.normals[i].z},
+        colour{double(frame.colours[i].r), double(frame.colours[i].g), double(frame.colours[i].b)},
+        sharpness(0.5 / (planeSharpness * frame.radii[i] * planeSharpness * frame.radii[i])) {}
+  Vec3d normal, colour;
+  double sharpness;  ///< 1/m^2
+};
+
+/// Weighted sums of the planes around a position.
+struct PlaneSums {
+  double weight = 0, value = 0;
+  Vec3d offset{}, normal{}, colour{};
+
+  /// Adds a plane at a vector `away` from it. nearest2: m^2, square of the distance to the nearest surfel.
+  /// Weights are relative to that one, so they do not vanish far from the surface.
+  void add(const Plane& plane, const Vec3d& away, double nearest2) {
+    const double w = std::exp(std::max(-60.0, (nearest2 - dot(away, away)) * plane.sharpness));
+    weight += w;
+    value += w * dot(away, plane.normal);
+    offset += w * away;
+    normal += w * plane.normal;
+    colour += w * plane.colour;
+  }
+  double height() const {
+    const double l = length(normal);
+    return 0.5 * (value + (l > 0 ? dot(normal, offset) / l : value)) / weight;
+  }
+};
+
+}  // namespace
+
 PlaneField::PlaneField(const SurfaceFrame& frame, double margin) : frame_(frame), margin_(margin) {
   for (const float radius : frame.radii) farthest_ = std::max(farthest_, planeReach * radius + margin);
-  fillBins(frame.positions.data(), frame.positions.size(), farthest_, bins_);
+  fillBins(frame.positions.data(), frame.positions.size(), 0.5 * farthest_, bins_);
 }
 
 bool PlaneField::onDisc(const Vec3d& x, const Vec3f& normal) const {
@@ -39,31 +78,48 @@ PlaneHeight PlaneField::at(const Vec3d& x) const {
   });
   PlaneHeight h;
   if (!(nearest2 < std::numeric_limits<double>::infinity())) return h;
-  double weight = 0, value = 0;
-  Vec3d offset{}, normal{}, colour{};
-  for (const auto& [i, d2] : near) {
-    const Vec3f& m = frame_.normals[i];
-    if (dot(m, frame_.normals[nearest]) < planeAgreement) continue;
-    // relative to the nearest one, so weights do not vanish far from the surface
-    const double width = planeSharpness * frame_.radii[i];
-    const double w = std::exp(std::max(-60.0, (nearest2 - d2) * 0.5 / (width * width)));
-    const Vec3d n{m.x, m.y, m.z}, away = x - frame_.positions[i];
-    const Rgb& c = frame_.colours[i];
-    weight += w;
-    value += w * dot(away, n);
-    offset += w * away;
-    normal += w * n;
-    colour += w * Vec3d{static_cast<double>(c.r), static_cast<double>(c.g), static_cast<double>(c.b)};
-  }
-  const auto single = [](const Vec3d& v) {
-    return Vec3f{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-  };
-  const double l = length(normal);
-  h.value = 0.5 * (value + (l > 0 ? dot(normal, offset) / l : value)) / weight;
-  h.normal = single(normal);
-  h.colour = single(colour / weight);
+  PlaneSums sums;
+  for (const auto& [i, d2] : near)
+    if (!(dot(frame_.normals[i], frame_.normals[nearest]) < planeAgreement))
+      sums.add(Plane(frame_, i), x - frame_.positions[i], nearest2);
+  h.value = sums.height();
+  h.normal = singleOf(sums.normal);
+  h.colour = singleOf(sums.colour / sums.weight);
   h.known = true;
   return h;
+}
+
+BandHeights heightsAround(const SurfaceFrame& frame, BandGrid& grid) {
+  const auto reach = [&](std::size_t i) { return planeReach * frame.radii[i] + grid.spacing(); };
+  struct Nearest {
+    double distance2 = std::numeric_limits<double>::infinity();
+    std::size_t row = 0;
+  };
+  std::vector<Nearest> nearest;
+  for (std::size_t i = 0; i < frame.radii.size(); i++)
+    grid.forCornersNear(frame.positions[i], reach(i), [&](const BandGrid::Corner& c, const Vec3d& away) {
+      const auto slot = static_cast<std::size_t>(grid.makeSlot(c));
+      if (slot >= nearest.size()) nearest.push_back({});
+      if (dot(away, away) < nearest[slot].distance2) nearest[slot] = {dot(away, away), i};
+    });
+  std::vector<PlaneSums> sums(nearest.size());
+  for (std::size_t i = 0; i < frame.radii.size(); i++) {
+    const Plane plane(frame, i);
+    grid.forCornersNear(frame.positions[i], reach(i), [&](const BandGrid::Corner& c, const Vec3d& away) {
+      const auto slot = static_cast<std::size_t>(grid.slotOf(c));
+      const Nearest& at = nearest[slot];
+      if (!(dot(frame.normals[i], frame.normals[at.row]) < planeAgreement))
+        sums[slot].add(plane, away, at.distance2);
+    });
+  }
+  BandHeights heights;
+  for (const PlaneSums& s : sums) {
+    heights.values.push_back(s.height());
+    const double l = length(s.normal);
+    heights.normals.push_back(l > 0 ? singleOf(s.normal / l) : Vec3f{});
+    heights.colours.push_back(singleOf(s.colour / s.weight));
+  }
+  return heights;
 }
 
 }  // namespace thaw

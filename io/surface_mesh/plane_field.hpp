@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Implicit surface of surfels: the weighted mean of their planes.
 #pragma once
+#include <vector>
+
 #include "core/surface/search/bins.hpp"
 #include "io/frames/read_surface_frame.hpp"
+#include "io/surface_mesh/band_grid.hpp"
 
 namespace thaw {
 
@@ -36,5 +39,16 @@ class PlaneField {
   double margin_, farthest_ = 0;
   Bins bins_;
 };
+
+/// The surface around corners of a grid, one entry per slot.
+struct BandHeights {
+  std::vector<double> values;  ///< m
+  std::vector<Vec3f> normals;  ///< unit
+  std::vector<Vec3f> colours;  ///< sRGB 0 to 255
+};
+
+/// Makes a slot for each corner in reach of a surfel, with the spacing of the grid as the margin. Returns
+/// PlaneField::at there, up to rounding, in one pass over the surfels.
+BandHeights heightsAround(const SurfaceFrame& frame, BandGrid& grid);
 
 }  // namespace thaw

@@ -138,16 +138,12 @@ void turnNormalsOutward(ComponentMesh& m) {
 
 ComponentMesh meshAt(const Patch& p, double spacing, bool improved) {
   BandGrid grid = gridAround(p, spacing);
-  for (std::size_t i = 0; i < p.frame.radii.size(); i++)
-    grid.forCornersNear(p.frame.positions[i], reachOf(p, i, grid.spacing()),
-                        [&](const Corner& c) { grid.makeSlot(c); });
+  const BandHeights heights = heightsAround(p.frame, grid);
   const PlaneField planes(p.frame, grid.spacing());
-  std::vector<double> values(grid.slots());
-  for (std::size_t s = 0; s < values.size(); s++) values[s] = planes.at(grid.place(grid.corner(s))).value;
   std::vector<std::uint8_t> isInside(grid.slots());
-  for (std::size_t s = 0; s < isInside.size(); s++) isInside[s] = values[s] < 0;
+  for (std::size_t s = 0; s < isInside.size(); s++) isInside[s] = heights.values[s] < 0;
   grid.classify(isInside);
-  MarchedBand band = marchBand(grid, values, planes, p.meanColour);
+  MarchedBand band = marchBand(grid, heights, planes, p.meanColour, improved);
   removeFragments(band, planes, grid.spacing());
   if (improved && improveTriangles(band, planes, grid.spacing()) > 0)
     removeFragments(band, planes, grid.spacing());

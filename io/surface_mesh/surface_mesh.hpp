@@ -38,9 +38,9 @@ struct ComponentRows {
 std::vector<ComponentRows> rowsByComponent(const SurfaceFrame& frame);
 
 /// Returns the zero set of the weighted mean of signed plane distances (KO05), corrected for curvature by the
-/// mean normal. The mean is over near surfels whose normals agree with the nearest one's. Marching tetrahedra
-/// use cubes of edge `cell` times the mean radius, at most 0.15 of the component's size. The edge is halved
-/// up to three times if a component yields no triangle. Vertices lie on the zero set up to the offset of
+/// mean normal. The mean is over near surfels whose normals agree with the nearest one's. Marching cubes have
+/// an edge of `cell` times the mean radius, at most 0.15 of the component's size. The edge is halved up to
+/// three times if a component yields no triangle. Vertices lie on the zero set up to the offset of
 /// offset_vertices.hpp. `colours`: one per surfel of the frame, copied to vertices. Returns no triangles if
 /// the component encloses nothing at an eighth of the edge. Memory scales with the number of surfels. Across
 /// periodic sides the mesh is unwrapped (unwrap_component.hpp); a component that joins its own image is cut

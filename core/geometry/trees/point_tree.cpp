@@ -35,18 +35,23 @@ std::vector<std::uint32_t> PointTree::nearest(const Vec3d& x, std::size_t count)
   const std::vector<Vec3d>& p = points();
   count = std::min(count, p.size());
   if (count == 0) return {};
-  std::vector<std::uint32_t> found(count);
-  std::vector<double> far2(count);
+  // One more point shows whether others are as far as the last one.
+  std::vector<std::uint32_t> found(std::min(count + 1, p.size()));
+  std::vector<double> far2(found.size());
   const double at[3] = {x.x, x.y, x.z};
-  const std::size_t n = tree_->index.knnSearch(at, count, found.data(), far2.data());
+  const std::size_t n = tree_->index.knnSearch(at, found.size(), found.data(), far2.data());
+  found.resize(n);
+  const double last = far2[std::min(count, n) - 1];
   // All points as far as the last one are included, so that ties do not depend on the tree. The added term
   // keeps the square of a tiny radius above 0.
-  std::vector<std::uint32_t> all = within(x, std::sqrt(far2[n - 1]) * (1 + 1e-12) + 1e-150);
-  const auto distance2 = [&](std::uint32_t k) { return dot(p[k] - x, p[k] - x); };
-  std::stable_sort(all.begin(), all.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return distance2(a) < distance2(b); });
-  if (all.size() > count) all.resize(count);
-  return all;
+  if (n > count && !(far2[count] > last * (1 + 1e-11) + 1e-290))
+    found = within(x, std::sqrt(last) * (1 + 1e-12) + 1e-150);
+  std::sort(found.begin(), found.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const double da = dot(p[a] - x, p[a] - x), db = dot(p[b] - x, p[b] - x);
+    return da != db ? da < db : a < b;
+  });
+  if (found.size() > count) found.resize(count);
+  return found;
 }
 
 std::vector<std::uint32_t> PointTree::within(const Vec3d& x, double radius) const {

@@ -35,8 +35,7 @@ RenderStyle styleOf(const FrameJob& picture, const ExportScene& scene) {
   RenderStyle style;
   style.width = picture.width;
   style.height = picture.height;
-  style.background = picture.background;
-  style.sun = picture.sun;
+  style.lighting = picture.lighting;
   style.stage = robustBox(placesOf(scene));
   style.camera = picture.camera
                      ? *picture.camera

@@ -10,14 +10,22 @@ namespace {
 
 constexpr Rgb skyTop{232, 236, 241}, skyLow{205, 211, 218}, floorColour{206, 206, 204};
 
+Rgb topOf(const Lighting& lighting) {
+  return lighting.backgroundTop.value_or(lighting.background.value_or(skyTop));
+}
+float brightness(const Light& l) { return (l.x + l.y + l.z) / 3; }
+Light product(const Light& a, const Light& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+
 }  // namespace
 
 Backdrop::Backdrop(const RenderStyle& style, const View& view, const ViewBox& stage, const Lights& lights,
                    const Discs& casters)
     : view_(view),
-      top_(toLinear(style.background.value_or(skyTop))),
-      low_(toLinear(style.background.value_or(skyLow))),
-      floor_(toLinear(style.background.value_or(floorColour))) {
+      top_(toLinear(topOf(style.lighting))),
+      low_(toLinear(style.lighting.background.value_or(skyLow))),
+      floor_(toLinear(style.lighting.background.value_or(floorColour))),
+      sun_(lights.source.colour),
+      ambient_(lights.ambient) {
   const Vec3d c = stage.empty() ? Vec3d{} : stage.centre();
   const Vec3f centre{static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z)};
   reach_ = stage.empty() ? 1 : std::max(static_cast<float>(0.5 * length(stage.max - stage.min)), 1e-6f);
@@ -48,14 +56,18 @@ Light Backdrop::floorShade(const FloorLight& floor, const Vec3f& ray, float dept
   const Vec3f point = view_.origin + depth * ray, d = point - floor.origin();
   const float far = std::sqrt(dot(d, d)) / reach_;
   const FloorLight::Light l = floor.at(point);
-  const float bright = 0.62f * l.sun + 0.46f * l.sky;
-  return mixed(bright * floor_, sky(ray), ramp(2.0f, 7.0f, far));
+  const float ofSky = 0.46f * ambient_ * l.sky;
+  const Light bright = (0.62f * l.sun) * sun_ + Light{ofSky, ofSky, ofSky} + 0.62f * l.more;
+  return mixed(product(bright, floor_), sky(ray), ramp(2.0f, 7.0f, far));
 }
 
 float Backdrop::bounce(const Vec3f& point) const {
   for (const FloorLight& f : floors_) {
     const FloorLight::Light l = f.at(point - dot(point - f.origin(), f.normal()) * f.normal());
-    return (0.57f * l.sun + 0.43f * l.sky) / (0.57f * f.open().sun + 0.43f * f.open().sky);
+    const auto all = [&](const FloorLight::Light& of) {
+      return 0.57f * brightness(sun_) * of.sun + 0.43f * ambient_ * of.sky + 0.57f * brightness(of.more);
+    };
+    return all(f.open()) > 0 ? all(l) / all(f.open()) : 0;
   }
   return 1;
 }

@@ -29,7 +29,8 @@ class Backdrop {
   const View& view_;
   float reach_ = 1;
   std::vector<FloorLight> floors_;
-  const Light top_, low_, floor_;
+  const Light top_, low_, floor_, sun_;
+  const float ambient_;
 };
 
 }  // namespace thaw

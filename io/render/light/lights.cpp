@@ -21,22 +21,31 @@ Vec3f toFloat(const Vec3d& a) {
 
 constexpr int skyDirections = 24;
 
-}  // namespace
-
-Vec3f sunDirection(const RenderStyle& style, const View& view) {
-  if (style.sun) return toFloat(normalized(*style.sun));
+Vec3f sunDirection(const Lighting& lighting, const View& view) {
+  if (lighting.sun) return toFloat(normalized(*lighting.sun));
   Vec3f level{view.forward.x, view.forward.y, 0};
   level = dot(level, level) > 1e-6f ? unit(level) : unit({view.up.x, view.up.y, 0});
   return unit(-0.62f * view.right - 0.52f * level + Vec3f{0, 0, 0.95f});
 }
 
-std::vector<Vec3f> sunDisc(const Vec3f& toSun, int count) {
-  constexpr float sunRadius = 0.07f;  // rad, about ten times the real one, as in haze
+}  // namespace
+
+std::vector<LightSource> lightSources(const Lighting& lighting, const View& view) {
+  std::vector<LightSource> all;
+  for (const DistantLight& l : lighting.lights)
+    all.push_back({toFloat(normalized(l.direction)), l.colour, static_cast<float>(0.5 * l.size)});
+  // about ten times the size of the real sun, as in haze
+  if (all.empty()) all.push_back({sunDirection(lighting, view), {1, 1, 1}, 0.07f});
+  return all;
+}
+
+std::vector<Vec3f> lightDisc(const LightSource& light, int count) {
+  const Vec3f& toSun = light.toLight;
   const Vec3f u = unit(cross(toSun, std::abs(toSun.z) < 0.9f ? Vec3f{0, 0, 1} : Vec3f{1, 0, 0})),
               v = cross(toSun, u);
   std::vector<Vec3f> directions;
   for (int k = 0; k < count; k++) {  // Vogel's spiral: uniform over the disc
-    const float r = sunRadius * std::sqrt((static_cast<float>(k) + 0.5f) / static_cast<float>(count));
+    const float r = light.radius * std::sqrt((static_cast<float>(k) + 0.5f) / static_cast<float>(count));
     const float angle = static_cast<float>(k * std::numbers::pi * (3 - std::sqrt(5.0)));
     directions.push_back(unit(toSun + (r * std::cos(angle)) * u + (r * std::sin(angle)) * v));
   }
@@ -55,14 +64,19 @@ std::vector<Vec3f> skyDome(int count) {
   return directions;
 }
 
-Lights makeLights(const Discs& spheres, const Vec3f& toSun) {
+Lights makeLights(const Discs& spheres, const Lighting& lighting, const View& view) {
   Lights lights;
+  const std::vector<LightSource> sources = lightSources(lighting, view);
+  lights.source = sources[0];
+  lights.ambient = lighting.ambient;
+  for (std::size_t k = 1; k < sources.size(); k++)
+    lights.more.push_back({sources[k], {makeDepthMap(spheres, sources[k].toLight, 3.5f, 2048)}});
   double sum = 0;
   for (std::size_t i = 0; i < spheres.positions.size(); i++) sum += spheres.radius(i);
   lights.radius = spheres.positions.empty()
                       ? 0
                       : static_cast<float>(sum / static_cast<double>(spheres.positions.size()));
-  lights.sun = makeDepthMap(spheres, toSun, 3.5f, 2048);
+  lights.sun = makeDepthMap(spheres, lights.source.toLight, 3.5f, 2048);
   for (const Vec3f& toLight : skyDome(skyDirections))
     lights.sky.push_back(makeDepthMap(spheres, toLight, 1.3f, 512));
   return lights;
@@ -83,10 +97,10 @@ float skyLight(const Lights& lights, const Vec3f& point, const Vec3f& normal) {
   return light / full + bounce;
 }
 
-float sunLight(const Lights& lights, const Vec3f& point, const Vec3f& normal, int taps) {
-  const float facing = dot(normal, lights.sun.toLight);
+float directLight(const DepthMap& map, float radius, const Vec3f& point, const Vec3f& normal, int taps) {
+  const float facing = dot(normal, map.toLight);
   if (facing <= 0) return 0;
-  return facing * lights.sun.visible(point + (0.6f * lights.radius) * normal, 1.2f * lights.radius, taps);
+  return facing * map.visible(point + (0.6f * radius) * normal, 1.2f * radius, taps);
 }
 
 namespace {
@@ -193,6 +207,15 @@ void blur(std::vector<float>& field, int side, int times) {
   }
 }
 
+/// Returns the strength of shadows at a cell of a floor: 1, faded out toward the border.
+float innerShare(std::size_t cell, int side) {
+  const auto inner = [&](std::size_t i) {
+    const auto last = static_cast<std::size_t>(side) - 1;
+    return std::min(1.0f, 0.05f * static_cast<float>(std::min(i, last - i)));
+  };
+  return inner(cell % static_cast<std::size_t>(side)) * inner(cell / static_cast<std::size_t>(side));
+}
+
 constexpr int floorSunDirections = 32, floorSkyDirections = 64;
 
 }  // namespace
@@ -206,7 +229,7 @@ FloorLight::FloorLight(const Lights& lights, const Discs& casters, const FloorHi
   v_ = cross(normal_, u_);
   // The table extends farther for high objects, whose shadows fall far aside.
   const float height = std::max(0.0f, dot(centre - origin_, normal_)),
-              up = std::max(0.2f, dot(normal_, lights.sun.toLight));
+              up = std::max(0.2f, dot(normal_, lights.source.toLight));
   reach_ += std::min(height * std::sqrt(std::max(0.0f, 1 - up * up)) / up, 2 * reach);
   FloorGrid grid{origin_,
                  normal_,
@@ -216,15 +239,22 @@ FloorLight::FloorLight(const Lights& lights, const Discs& casters, const FloorHi
                  side_,
                  std::vector<std::uint8_t>(static_cast<std::size_t>(side_) * side_)};
   // Blocked light by direction, faded out toward the border.
-  std::vector<float> sun(grid.dark.size()), sky(grid.dark.size());
-  const float sunFacing = std::max(0.0f, dot(normal_, lights.sun.toLight));
+  std::vector<float> sky(grid.dark.size());
+  const auto blockedOf = [&](const LightSource& light) {
+    std::vector<float> blocked(grid.dark.size());
+    const float facing = std::max(0.0f, dot(normal_, light.toLight));
+    for (const Vec3f& toLight : lightDisc(light, floorSunDirections)) {
+      if (dot(normal_, toLight) <= 0.02f) continue;
+      grid.drawShadows(casters, toLight);
+      for (std::size_t c = 0; c < blocked.size(); c++)
+        blocked[c] += static_cast<float>(grid.dark[c]) * (facing / floorSunDirections);
+    }
+    blur(blocked, side_, 1);
+    return blocked;
+  };
+  const std::vector<float> sun = blockedOf(lights.source);
+  const float sunFacing = std::max(0.0f, dot(normal_, lights.source.toLight));
   float full = 0;
-  for (const Vec3f& toLight : sunDisc(lights.sun.toLight, floorSunDirections)) {
-    if (dot(normal_, toLight) <= 0.02f) continue;
-    grid.drawShadows(casters, toLight);
-    for (std::size_t c = 0; c < sun.size(); c++)
-      sun[c] += static_cast<float>(grid.dark[c]) * (sunFacing / floorSunDirections);
-  }
   open_ = {sunFacing, 0};
   for (const Vec3f& toLight : skyDome(floorSkyDirections)) {
     full += toLight.z + 0.15f;
@@ -234,18 +264,20 @@ FloorLight::FloorLight(const Lights& lights, const Discs& casters, const FloorHi
     grid.drawShadows(casters, toLight);
     for (std::size_t c = 0; c < sky.size(); c++) sky[c] += static_cast<float>(grid.dark[c]) * facing;
   }
-  blur(sun, side_, 1);
   blur(sky, side_, 2);
   open_.sky /= full;
   table_.resize(sun.size());
-  const auto inner = [](std::size_t i) {
-    return std::min(1.0f, 0.05f * static_cast<float>(std::min<std::size_t>(i, side_ - 1 - i)));
-  };
-  for (std::size_t c = 0; c < table_.size(); c++) {
-    const float share = inner(c % side_) * inner(c / side_);
-    table_[c] = {std::max(0.0f, open_.sun - share * sun[c]),
-                 std::max(0.0f, open_.sky - share * sky[c] / full)};
-  }
+  for (std::size_t c = 0; c < table_.size(); c++)
+    table_[c] = {std::max(0.0f, open_.sun - innerShare(c, side_) * sun[c]),
+                 std::max(0.0f, open_.sky - innerShare(c, side_) * sky[c] / full)};
+  for (const SideLight& light : lights.more) addLight(light.source, blockedOf(light.source));
+}
+
+void FloorLight::addLight(const LightSource& light, const std::vector<float>& blocked) {
+  const float facing = std::max(0.0f, dot(normal_, light.toLight));
+  open_.more += facing * light.colour;
+  for (std::size_t c = 0; c < table_.size(); c++)
+    table_[c].more += std::max(0.0f, facing - innerShare(c, side_) * blocked[c]) * light.colour;
 }
 
 FloorLight::Light FloorLight::at(const Vec3f& point) const {
@@ -256,11 +288,11 @@ FloorLight::Light FloorLight::at(const Vec3f& point) const {
   const int i = static_cast<int>(x), j = static_cast<int>(y);
   const float fx = x - static_cast<float>(i), fy = y - static_cast<float>(j);
   const Light* p = &table_[static_cast<std::size_t>(j) * side_ + i];
-  const auto between = [&](float Light::*m) {
+  const auto between = [&](auto Light::*m) {
     return (1 - fy) * ((1 - fx) * p[0].*m + fx * p[1].*m) +
            fy * ((1 - fx) * p[side_].*m + fx * p[side_ + 1].*m);
   };
-  return {between(&Light::sun), between(&Light::sky)};
+  return {between(&Light::sun), between(&Light::sky), between(&Light::more)};
 }
 
 }  // namespace thaw

@@ -1,33 +1,50 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lighting of pictures: a sun over the camera's left shoulder with soft shadows, and ambient light of the
-// sky.
+// Lighting of pictures: a sun over the camera's left shoulder with soft shadows, or the lights of a scene,
+// and ambient light of the sky.
 #pragma once
 #include <vector>
 
+#include "io/image/linear_light.hpp"
 #include "io/image/render_style.hpp"
 #include "io/render/light/depth_map.hpp"
 
 namespace thaw {
 
+/// A distant light: its direction, colour and angular radius (rad).
+struct LightSource {
+  Vec3f toLight{0, 0, 1};
+  Light colour{1, 1, 1};
+  float radius = 0.07f;
+};
+
+/// Returns the sun, or the lights that replace it. The first one is called the sun.
+std::vector<LightSource> lightSources(const Lighting& lighting, const View& view);
+
+struct SideLight {
+  LightSource source;
+  std::vector<DepthMap> maps;  ///< from directions spread over its disc
+};
+
 struct Lights {
+  LightSource source;           ///< of the sun
+  float ambient = 1;            ///< strength of the sky's light
+  std::vector<SideLight> more;  ///< lights beside the sun
   DepthMap sun;
   std::vector<DepthMap> sky;  ///< from directions spread over the upper hemisphere
   float radius = 0;           ///< m, typical of the particles
 };
 
-/// Return unit vectors toward the light: the sun's direction, samples of its disc (for soft shadows), and of
-/// the sky.
-Vec3f sunDirection(const RenderStyle& style, const View& view);
-std::vector<Vec3f> sunDisc(const Vec3f& toSun, int count);
+/// Return unit vectors toward the light: samples of the disc of a light (for soft shadows), and of the sky.
+std::vector<Vec3f> lightDisc(const LightSource& light, int count);
 std::vector<Vec3f> skyDome(int count);
 
-Lights makeLights(const Discs& spheres, const Vec3f& toSun);
+Lights makeLights(const Discs& spheres, const Lighting& lighting, const View& view);
 
 /// Returns the sky's light on a surface: 1 if it faces up to an open sky. A fraction is reflected from below.
 float skyLight(const Lights& lights, const Vec3f& point, const Vec3f& normal);
 
-/// Returns the sun's light, 0 to 1, on a surface. taps: see DepthMap::visible.
-float sunLight(const Lights& lights, const Vec3f& point, const Vec3f& normal, int taps);
+/// Returns the light of a source, 0 to 1, on a surface. radius: m, of particles. taps: see DepthMap::visible.
+float directLight(const DepthMap& map, float radius, const Vec3f& point, const Vec3f& normal, int taps);
 
 /// Light on a floor around the stage, in a table.
 class FloorLight {
@@ -38,6 +55,7 @@ class FloorLight {
   /// Light of the sun (with the angle of incidence) and of the sky, at a point of the floor.
   struct Light {
     float sun, sky;
+    thaw::Light more{};  ///< of lights beside the sun
   };
   Light at(const Vec3f& point) const;
   const Vec3f& normal() const { return normal_; }
@@ -45,6 +63,9 @@ class FloorLight {
   const Light& open() const { return open_; }      ///< without shadows
 
  private:
+  /// Adds a light beside the sun. blocked: per cell, the light that casters hide.
+  void addLight(const LightSource& light, const std::vector<float>& blocked);
+
   static constexpr int side_ = 512;
   Vec3f origin_, normal_, u_, v_;
   float reach_;

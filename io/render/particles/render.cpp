@@ -81,7 +81,7 @@ class Shader {
          const ViewBox& stage, bool coloured)
       : view_(view),
         particles_(particles),
-        lights_(makeLights({particles.positions, particles.radii, {}}, sunDirection(style, view))),
+        lights_(makeLights({particles.positions, particles.radii, {}}, style.lighting, view)),
         backdrop_(style, view, stage, lights_, {particles.positions, particles.radii, {}}) {
     const float spacing = style.spacing > 0 ? style.spacing : std::max(lights_.radius / 0.65f, 1e-20f);
     visible_ = lightVisible(particles, buffer, lights_, spacing);
@@ -108,16 +108,19 @@ class Shader {
     Vec3f normal = mixed(round, surface.normal, 0.78f * surface.strength);
     const float l2 = dot(normal, normal);
     normal = l2 > 1e-12f ? normal / std::sqrt(l2) : -unit(ray);
-    const float sun = sunLight(lights_, point, normal, 2),
-                fromSky = visible_.sky[k] * (0.8f + 0.2f * std::max(0.0f, dot(normal, round)));
+    const float sun = directLight(lights_.sun, lights_.radius, point, normal, 2),
+                fromSky = lights_.ambient * visible_.sky[k] *
+                          (0.8f + 0.2f * std::max(0.0f, dot(normal, round)));
     const Vec3f half = unit(lights_.sun.toLight - unit(ray));
     const float shine = sun > 0 ? 0.09f * std::pow(std::max(0.0f, dot(normal, half)), 40.0f) : 0.0f;
     const Light colour = colours_[particles_.colour[index]];
     const Light tint{0.52f * fromSky, 0.54f * fromSky, 0.58f * fromSky};
-    const Light white{shine, shine, shine};
-    return Light{colour.x * (tint.x + 0.88f * sun), colour.y * (tint.y + 0.86f * sun),
-                 colour.z * (tint.z + 0.82f * sun)} +
-           white;
+    Light direct = sun * lights_.source.colour;
+    for (const SideLight& light : lights_.more)
+      direct += directLight(light.maps[0], lights_.radius, point, normal, 2) * light.source.colour;
+    return Light{colour.x * (tint.x + 0.88f * direct.x), colour.y * (tint.y + 0.86f * direct.y),
+                 colour.z * (tint.z + 0.82f * direct.z)} +
+           shine * lights_.source.colour;
   }
 
   const View& view_;

@@ -195,12 +195,15 @@ std::vector<SurfelShade> lightSurfels(const DrawnSurfels& s, std::span<const std
     for (std::size_t i = p * piece; i < std::min(shades.size(), (p + 1) * piece); i++) {
       if (!seen[i]) continue;
       const Vec3f& n = s.normals[i];
-      const float sky = skySeen(lights, backdrop, s.positions[i], n, s.radii[i]);
-      const Light& c = s.colours[i];
+      const float sky = lights.lights.ambient * skySeen(lights, backdrop, s.positions[i], n, s.radii[i]);
+      const Light &c = s.colours[i], &sun = lights.lights.source.colour,
+                  more = moreLight(lights.lights, s.positions[i], n, s.radii[i]);
+      const Light diffuse{0.88f * c.x, 0.86f * c.y, 0.82f * c.z};
       shades[i] = {n,
-                   {0.52f * sky * c.x, 0.54f * sky * c.y, 0.58f * sky * c.z},
-                   {0.88f * c.x, 0.86f * c.y, 0.82f * c.z},
-                   sunSeen(lights, s.positions[i], n, s.radii[i])};
+                   Light{0.52f * sky * c.x, 0.54f * sky * c.y, 0.58f * sky * c.z} +
+                       Light{diffuse.x * more.x, diffuse.y * more.y, diffuse.z * more.z},
+                   {diffuse.x * sun.x, diffuse.y * sun.y, diffuse.z * sun.z},
+                   lightSeen(lights.sun, s.positions[i], n, s.radii[i])};
     }
   });
   return shades;
@@ -239,7 +242,7 @@ constexpr float noDepth = std::numeric_limits<float>::infinity();
 struct SampleLight {
   const View& view;
   const Backdrop& backdrop;
-  Vec3f toSun;
+  const LightSource& sun;
 
   /// Returns the light of floor and sky.
   Light behind(float x, float y) const {
@@ -256,7 +259,7 @@ struct SampleLight {
     if (!(depth < noDepth)) return behind(px, py);
     const Vec3f ray = view.ray(px, py);
     const FloorLight* floor = backdrop.floorBefore(ray, depth);
-    return floor ? backdrop.floorShade(*floor, ray, depth) : surfaceLight(tile.shade[at], ray, toSun);
+    return floor ? backdrop.floorShade(*floor, ray, depth) : surfaceLight(tile.shade[at], ray, sun);
   }
 };
 
@@ -330,7 +333,8 @@ Image renderSurfels(const SurfelInput& input, const RenderStyle& style, const Su
   const float near = stage.empty() ? 0 : static_cast<float>(1e-4 * length(stage.max - stage.min));
   const Casters casting = castersOf(surfels, input.solids);
   const Discs casters = casting.discs();
-  const SurfelLights lights = makeSurfelLights(casters, sunDirection(style, view), how.threads);
+  SurfelLights lights = makeSurfelLights(casters, lightSources(style.lighting, view), how.threads);
+  lights.lights.ambient = style.lighting.ambient;
   const Backdrop backdrop(style, view, stage, lights.lights, casters);
   const std::vector<std::uint8_t> seen = facingDiscs(discs, view, width, height, near);
   const CameraFaces faces = facesBefore(surfels.positions, surfels.faces, view, width, height, near);
@@ -344,7 +348,7 @@ Image renderSurfels(const SurfelInput& input, const RenderStyle& style, const Su
   DepthBuffer buffer;
   buffer.width = width, buffer.height = height;
   if (!style.glasses.empty()) buffer.depth.assign(static_cast<std::size_t>(width) * height, noDepth);
-  const SampleLight samples{view, backdrop, lights.lights.sun.toLight};
+  const SampleLight samples{view, backdrop, lights.lights.source};
   // Samples of a pixel lie in one tile, since SurfelTile::side is a multiple of 1, 2 and 4. With 3, tiles are
   // accumulated into a picture of sums.
   PixelSums pixels{s, style.width, std::vector<Light>(s == 3 ? image.pixels.size() : 0)};

@@ -14,28 +14,43 @@ constexpr int sunDirections = 16, skyDirections = 40;
 
 }  // namespace
 
-SurfelLights makeSurfelLights(const Discs& discs, const Vec3f& toSun, int threads) {
+SurfelLights makeSurfelLights(const Discs& discs, const std::vector<LightSource>& sources, int threads) {
   SurfelLights all;
   double sum = 0;
   for (float r : discs.radii) sum += r;
   all.lights.radius = discs.radii.empty() ? 0
                                           : static_cast<float>(sum / static_cast<double>(discs.radii.size()));
-  all.lights.sun.toLight = toSun;
-  const std::vector<Vec3f> sun = sunDisc(all.lights.sun.toLight, sunDirections), sky = skyDome(skyDirections);
+  all.lights.source = sources[0];
+  const std::vector<Vec3f> sun = lightDisc(sources[0], sunDirections), sky = skyDome(skyDirections);
   all.sun.resize(sun.size());
   all.lights.sky.resize(sky.size());
   parallelFor(sun.size() + sky.size(), threads, [&](std::size_t k) {
     if (k < sun.size()) all.sun[k] = makeDepthMap(discs, sun[k], 2.0f, 1024);
     else all.lights.sky[k - sun.size()] = makeDepthMap(discs, sky[k - sun.size()], 1.3f, 512);
   });
+  for (std::size_t l = 1; l < sources.size(); l++) {
+    const std::vector<Vec3f> disc = lightDisc(sources[l], sunDirections);
+    all.lights.more.push_back({sources[l], std::vector<DepthMap>(disc.size())});
+    parallelFor(disc.size(), threads, [&](std::size_t k) {
+      all.lights.more.back().maps[k] = makeDepthMap(discs, disc[k], 2.0f, 1024);
+    });
+  }
   return all;
 }
 
-float sunSeen(const SurfelLights& lights, const Vec3f& point, const Vec3f& normal, float radius) {
+float lightSeen(std::span<const DepthMap> maps, const Vec3f& point, const Vec3f& normal, float radius) {
   float seen = 0;
-  for (const DepthMap& map : lights.sun)
-    seen += map.visible(point + (0.5f * radius) * normal, 0.6f * radius, 0);
-  return seen / static_cast<float>(lights.sun.size());
+  for (const DepthMap& map : maps) seen += map.visible(point + (0.5f * radius) * normal, 0.6f * radius, 0);
+  return seen / static_cast<float>(maps.size());
+}
+
+Light moreLight(const Lights& lights, const Vec3f& point, const Vec3f& normal, float radius) {
+  Light sum{};
+  for (const SideLight& light : lights.more) {
+    const float facing = dot(normal, light.source.toLight);
+    if (facing > 0) sum += (facing * lightSeen(light.maps, point, normal, radius)) * light.source.colour;
+  }
+  return sum;
 }
 
 float skySeen(const SurfelLights& lights, const Backdrop& backdrop, const Vec3f& point, const Vec3f& normal,
@@ -55,7 +70,8 @@ float skySeen(const SurfelLights& lights, const Backdrop& backdrop, const Vec3f&
   return light / full + below * backdrop.bounce(point);
 }
 
-Light surfaceLight(const SurfelShade& s, const Vec3f& ray, const Vec3f& toSun) {
+Light surfaceLight(const SurfelShade& s, const Vec3f& ray, const LightSource& source) {
+  const Vec3f& toSun = source.toLight;
   const Vec3f back = ray * (-1 / std::sqrt(dot(ray, ray))), sum = toSun + back;
   const float facing = std::max(0.0f, dot(s.normal, toSun)) * s.sun;
   const float half = std::max(0.0f, dot(s.normal, sum)) / std::sqrt(std::max(1e-12f, dot(sum, sum)));
@@ -64,8 +80,8 @@ Light surfaceLight(const SurfelShade& s, const Vec3f& ray, const Vec3f& toSun) {
   shine *= shine, shine *= shine, shine *= shine;
   // reflection grows at grazing angles
   const float edge = 1 - std::max(0.0f, dot(s.normal, back)), rim = 0.05f * edge * edge * edge * edge;
-  const float white = (facing > 0 ? 0.10f * s.sun * shine : 0.0f) + rim;
-  return s.fromSky + facing * s.ofSun + Light{white, white, white};
+  const Light bright = (facing > 0 ? 0.10f * s.sun * shine : 0.0f) * source.colour + Light{rim, rim, rim};
+  return s.fromSky + facing * s.ofSun + bright;
 }
 
 }  // namespace thaw

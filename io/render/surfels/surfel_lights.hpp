@@ -14,17 +14,20 @@ struct SurfelLights {
   std::vector<DepthMap> sun;
 };
 
-SurfelLights makeSurfelLights(const Discs& casters, const Vec3f& toSun, int threads);
+SurfelLights makeSurfelLights(const Discs& casters, const std::vector<LightSource>& sources, int threads);
 
-/// Returns the visible fraction of the sun's disc at a surfel; penumbras widen with the distance of the
+/// Returns the visible fraction of a light's disc at a surfel; penumbras widen with the distance of the
 /// caster.
-float sunSeen(const SurfelLights& lights, const Vec3f& point, const Vec3f& normal, float radius);
+float lightSeen(std::span<const DepthMap> maps, const Vec3f& point, const Vec3f& normal, float radius);
+
+/// Returns the light of all sources beside the sun on a surfel, without highlights.
+Light moreLight(const Lights& lights, const Vec3f& point, const Vec3f& normal, float radius);
 
 /// Returns the sky's light on a surfel, with reflection by the floor.
 float skySeen(const SurfelLights& lights, const Backdrop& backdrop, const Vec3f& point, const Vec3f& normal,
               float radius);
 
 /// Returns the light of a surface sample towards the camera.
-Light surfaceLight(const SurfelShade& shade, const Vec3f& ray, const Vec3f& toSun);
+Light surfaceLight(const SurfelShade& shade, const Vec3f& ray, const LightSource& sun);
 
 }  // namespace thaw

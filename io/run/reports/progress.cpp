@@ -132,11 +132,11 @@ std::string shortLimit(const std::string& limit) {
   return text.size() <= 15 ? text : text.substr(0, text.find(' '));
 }
 
-/// Returns a duration in at most 11 characters.
+/// Returns a duration in at most 9 characters.
 std::string shortDuration(double seconds) {
   if (!std::isfinite(seconds)) return "unknown";
   const std::string text = durationText(seconds);
-  return text.size() <= 11 ? text : ">1000 years";
+  return text.size() <= 9 ? text : ">1 year";
 }
 
 /// Returns the text after the bar. detail: 0 (shortest form) to 3 (all parts).
@@ -160,14 +160,14 @@ std::string statusText(const Progress& p, const LedgerReport& l, double share, i
 }  // namespace
 
 std::string statusLine(const Progress& p, const LedgerReport& l) {
-  constexpr int columns = 79, longestBar = 22, shortestBar = 8;
+  constexpr int columns = 79, bar = 8;
   const double share = p.clock.end > 0 ? std::min(1.0, p.clock.time / p.clock.end) : 1;
   std::string text;
   for (int detail = 3; detail >= 0; detail--) {
     text = statusText(p, l, share, detail);
-    if (static_cast<int>(text.size()) + shortestBar <= columns) break;
+    if (static_cast<int>(text.size()) + bar <= columns) break;
   }
-  return progressBar(share, std::min(longestBar, columns - static_cast<int>(text.size()))) + text;
+  return progressBar(share, bar) + text;
 }
 
 std::string progressOf(const std::vector<SolverUse>& solvers) {

@@ -40,6 +40,8 @@ void readNumerics(TableReader& reader, Numerics& numerics);
 void readSurface(TableReader& reader, SurfaceSettings& surface);
 /// Reads Scene::output. Requires: the extensions are read, since frames may have their fields.
 void readOutput(TableReader& reader, Scene& scene);
+/// Reads the keys of Output for pictures.
+void readPicture(TableReader& reader, Output& output);
 void readMaterial(TableReader& reader, Material& material, SceneReading& reading);
 /// Reads a list of pairs of a time and a factor.
 void readInTime(TableReader& reader, const char* key, FactorInTime& factor, const char* about,

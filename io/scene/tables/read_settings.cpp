@@ -285,37 +285,7 @@ void readOutput(TableReader& r, Scene& s) {
            "SI value of the highest colour; none: the highest of all frames");
   if (o.colourMin && o.colourMax && !(*o.colourMax > *o.colourMin))
     r.fail("colour_max", "must be above `colour_min`", {"colour_min"});
-  std::string background;
-  r.text("background", background, "colour of the background of pictures; default: a pale sky",
-         "\"#rrggbb\"");
-  if (std::uint32_t colour = 0; !background.empty()) {
-    if (readColour(background, colour)) o.background = colour;
-    else r.refuseValue("background", "expected six hexadecimal digits such as \"#202830\"");
-  }
-  r.vector("sun", o.sun, "",
-           "direction from the scene to the sun of pictures, of any length; default: over the camera's left "
-           "shoulder");
-  if (o.sun && !(o.sun->z > 0)) r.refuseValue("sun", "expected a direction above the horizon: z > 0");
-  int spray = static_cast<int>(o.spray);
-  r.choice("spray", spray, {"ellipsoids", "spheres", "hide", "surfels"},  // as in Spray
-           "drops of one and two particles in pictures of a surface: ellipsoids of their volume along their "
-           "motion, spheres, hidden, or by their surfels");
-  o.spray = static_cast<Spray>(spray);
-  std::int64_t width = o.width, height = o.height;
-  r.whole("width", width, 64, 16384, "width of pictures, in pixels");
-  r.whole("height", height, 64, 16384, "height of pictures, in pixels");
-  o.width = static_cast<int>(width);
-  o.height = static_cast<int>(height);
-  r.table("camera", "camera of the pictures; without it the view is fitted to all frames",
-          [&](TableReader& c) {
-            if (c.reading()) o.camera.fitted = false;
-            c.vector("from", o.camera.from, "m", "position of the camera");
-            c.vector("at", o.camera.at, "m", "point that it looks at");
-            c.number("field_of_view", o.camera.fieldOfView, "rad", between(0.01, 3), "vertical angle");
-            if (!c.reading()) return;
-            if (!c.has("from") || !c.has("at")) c.fail(c.place(), c.path() + ": needs `from` and `at`");
-            else if (o.camera.from == o.camera.at) c.fail("at", "must differ from `from`");
-          });
+  readPicture(r, o);
 }
 
 }  // namespace thaw

@@ -7,6 +7,7 @@
 
 #include "io/surface_mesh/surface_mesh.hpp"
 #include "tests/support/closed_mesh.hpp"
+#include "tests/support/surface/good_angles.hpp"
 #include "tests/support/surface/surfel_samples.hpp"
 
 using namespace thaw;
@@ -99,6 +100,7 @@ TEST(PeriodicMesh, SpanningComponentsAreCutAtTheSidesAndCapped) {
   s.addBox(rod, sides, [](const Vec3d& x) { return x.x >= -0.1 && x.x < 0.9; });
   const ComponentMesh m = s.mesh(sides);
   expectShells(m.mesh, 1);
+  expectGoodAngles(m.mesh);
   EXPECT_EQ(m.cut, (std::array<bool, 3>{true, false, false}));
   EXPECT_NEAR(volumeOf(m.mesh), 0.09, 0.01 * 0.09);
   EXPECT_NEAR(rangeOf(m.mesh, 0)[0], -0.1, 1e-12);
@@ -124,6 +126,7 @@ TEST(PeriodicMesh, PoolIsOneBlockWithItsBubblesAndDrops) {
   s.addBall({-0.12, 1.25, 0.55}, 0.15, sides, true);
   const ComponentMesh m = s.mesh(sides);
   expectShells(m.mesh, 1);
+  expectGoodAngles(m.mesh);
   EXPECT_EQ(m.cut, (std::array<bool, 3>{true, true, false}));
   const double volume = 1.3 * 0.5 - ballVolume(0.15);
   EXPECT_NEAR(volumeOf(m.mesh), volume, 0.005 * volume);
@@ -147,6 +150,7 @@ TEST(PeriodicMesh, BodyFillsTheDomainAroundASingleCavity) {
   s.addBall({0.9, 0, 0.6}, 0.3, sides, true);
   const ComponentMesh m = s.mesh(sides);
   expectShells(m.mesh, 1);
+  expectGoodAngles(m.mesh);
   EXPECT_EQ(m.cut, (std::array<bool, 3>{true, true, true}));
   const double volume = 1.3 * 0.9 - ballVolume(0.3);
   EXPECT_NEAR(volumeOf(m.mesh), volume, 0.005 * volume);
@@ -159,6 +163,7 @@ TEST(PeriodicMesh, BodyNearItsOwnImageIsNotSpanning) {
   s.addBox(boxMesh({0.2, 0.4, 0.5}, {1.13, 0.7, 0.8}), sides, [](const Vec3d&) { return true; });
   const ComponentMesh m = s.mesh(sides);
   expectShells(m.mesh, 1);
+  expectGoodAngles(m.mesh);
   EXPECT_EQ(m.cut, (std::array<bool, 3>{}));
   EXPECT_NEAR(volumeOf(m.mesh), 0.93 * 0.09, 0.01 * 0.09);
 }

@@ -7,8 +7,8 @@
 #include <map>
 #include <numbers>
 
-#include "io/surface_mesh/triangle_angles.hpp"
 #include "tests/support/closed_mesh.hpp"
+#include "tests/support/surface/good_angles.hpp"
 #include "tests/support/surface/surfel_samples.hpp"
 
 using namespace thaw;
@@ -40,20 +40,6 @@ std::pair<double, double> awayFrom(const TriangleMesh& mesh, const TriangleMesh&
     largest = std::max(largest, d), sum += d;
   }
   return {largest, sum / static_cast<double>(mesh.vertices.size())};
-}
-
-/// Checks that no angle is below 5 degrees, and at most one triangle in a thousand has one below 15.
-void expectGoodAngles(const TriangleMesh& mesh) {
-  constexpr double degree = std::numbers::pi / 180;
-  std::size_t sharp = 0;
-  double least = std::numbers::pi;
-  for (const auto& t : mesh.triangles) {
-    const double angle = smallestAngle(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
-    least = std::min(least, angle);
-    sharp += angle < 15 * degree;
-  }
-  EXPECT_GT(least, 5 * degree);
-  EXPECT_LE(1000 * sharp, mesh.triangles.size());
 }
 
 }  // namespace

@@ -73,14 +73,18 @@ TEST(StatusLine, FillsItsBarWithTheTime) {
   p.clock.dt = 8e-5;
   p.clock.limitedBy = "sound";
   p.secondsLeft = 61;
-  EXPECT_EQ(statusLine(p, {}),
-            "[==>       ]  25 %  left 61 s  t 0.5 s  dt 8.0e-05 s (sound)  residual +0.0e+00");
+  EXPECT_EQ(statusLine(p, {}), "[=>    ]  25 %  left 61 s  t 0.5 s  dt 8.0e-05 s (sound)  residual +0.0e+00");
   LedgerReport l;
   l.particles = 10;
   l.liquidFraction = 0.092;
   p.clock.time = 2;
   EXPECT_EQ(statusLine(p, l).find('>'), std::string::npos) << statusLine(p, l);
   EXPECT_TRUE(has(statusLine(p, l), "  liquid 9.2 %  "));
+  // the bar keeps its width
+  for (const char* limit : {"sound", "surface tension", "the scene's fixed step"}) {
+    p.clock.limitedBy = limit;
+    EXPECT_EQ(statusLine(p, l).find(']'), 7u) << statusLine(p, l);
+  }
 }
 
 TEST(StatusLine, HasAllItemsOnATerminalOf80Columns) {
