@@ -22,12 +22,12 @@ std::vector<LightSource> lightSources(const Lighting& lighting, const View& view
 
 struct SideLight {
   LightSource source;
-  std::vector<DepthMap> maps;  ///< from directions spread over its disc
+  std::vector<DepthMap> maps;  ///< maps from directions spread over its disc
 };
 
 struct Lights {
-  LightSource source;           ///< of the sun
-  float ambient = 1;            ///< strength of the sky's light
+  LightSource source;           ///< the sun
+  float ambient = 1;            ///< strength of the light from the sky
   std::vector<SideLight> more;  ///< lights beside the sun
   DepthMap sun;
   std::vector<DepthMap> sky;  ///< from directions spread over the upper hemisphere
@@ -55,7 +55,7 @@ class FloorLight {
   /// Light of the sun (with the angle of incidence) and of the sky, at a point of the floor.
   struct Light {
     float sun, sky;
-    thaw::Light more{};  ///< of lights beside the sun
+    thaw::Light more{};  ///< from lights beside the sun
   };
   Light at(const Vec3f& point) const;
   const Vec3f& normal() const { return normal_; }
