@@ -20,7 +20,10 @@ struct SlotPieces : Table {
 void chooseActiveSlots(ElasticWork& work, Solids& solids, const Bonds& bonds, const SlotPieces& pieces);
 
 /// Discards the choice, since bonds or pieces changed.
-inline void forgetActiveSlots(ElasticWork& work) { work.held.clear(); }
+inline void forgetActiveSlots(ElasticWork& work) {
+  work.held.clear();
+  work.sleeping = false;  // a rank that has lost all slots does not choose again
+}
 /// Returns true if the active slots are chosen.
 inline bool activeSlotsKnown(const ElasticWork& work, const Solids& solids) {
   return work.held.size() == solids.owned;
