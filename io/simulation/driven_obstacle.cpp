@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -42,11 +43,21 @@ bool mayHaveImages(const Domain& d, const Wall& wall) {
   return false;
 }
 
+/// Returns true if some liquid meets walls at an angle other than 90 degrees, with any form of tension.
+bool hasContactAngles(const Scene& s) {
+  const auto wets = [](const Material& m) {
+    return m.surfaceTension > 0 && m.contactAngle != std::numbers::pi / 2;
+  };
+  const auto has = [](const Obstacle& o) { return o.contactAngle < never; };
+  return std::any_of(s.materials.begin(), s.materials.end(), wets) ||
+         std::any_of(s.obstacles.begin(), s.obstacles.end(), has);
+}
+
 /// Throws std::invalid_argument if the scene has forces on obstacles that wallLoad() does not compute.
-void requireKnownForces(const Modules& m, const std::string& name) {
+void requireKnownForces(const Scene& scene, const Modules& m, const std::string& name) {
   const std::pair<bool, const char*> without[] = {{m.incompressible, "the incompressible solver"},
                                                   {m.implicitViscosity, "implicit viscosity"},
-                                                  {m.contactAngle, "contact angles"},
+                                                  {hasContactAngles(scene), "contact angles"},
                                                   {m.rigid, "rigid solids"},
                                                   {m.sheet, "sheets"},
                                                   {m.oriented, "oriented particles"},
@@ -61,7 +72,7 @@ void requireDrivable(const World& w, const Wall& wall) {
     throw std::invalid_argument(name + " is static: give it a keyframe, motion = [{ time = 0 }]");
   if (mayHaveImages(w.scene.domain, wall))
     throw std::invalid_argument(name + " cannot be driven: it is shorter than the periodic domain");
-  requireKnownForces(w.modules, name);
+  requireKnownForces(w.scene, w.modules, name);
 }
 
 bool isFinite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }

@@ -121,9 +121,8 @@ TEST(DrivenObstacle, RefusesWhatItCannotDrive) {
             "obstacle 'plate' is static: give it a keyframe, motion = [{ time = 0 }]");
   EXPECT_EQ(refusal(changed("max = [1, 1, 1]\n", "max = [1, 1, 1]\nsides = { x = \"periodic\" }\n"), "plate"),
             "obstacle 'plate' cannot be driven: it is shorter than the periodic domain");
-  const std::string tension = "surface_tension = 0.07\ncontact_angle = 1\n",
-                    energy = "[numerics]\ntension = \"surface energy\"\n";
-  EXPECT_EQ(refusal(changed("[[body]]", tension + energy + "[[body]]"), "plate"),
+  const std::string tension = "surface_tension = 0.07\ncontact_angle = 1\n";
+  EXPECT_EQ(refusal(changed("[[body]]", tension + "[[body]]"), "plate"),
             "obstacle 'plate' cannot be driven: its load by contact angles is unknown");
 }
 

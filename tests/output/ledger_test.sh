@@ -44,6 +44,8 @@ box = { size = [0.05, 0.1, 0.2] }
 place = { move = [0.15, -0.2, 0.25] }
 temperature = 350
 motion = [{ time = 0 }, { time = 1, move = [0, 0, 0.5] }]
+[numerics]
+tension = "surface energy"   # the form with a stored energy
 [output]
 every = "20 ms"
 SCENE
