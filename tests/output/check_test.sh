@@ -106,6 +106,8 @@ name = "bar"
 box = { size = ["6 cm", "10 cm", "10 cm"] }
 place = { move = ["3 cm", "15 cm", "15 cm"] }
 material = "water"
+[numerics]
+tension = "surface energy"
 SCENE
 launch 2 check "$work/slab.toml" >"$work/log" 2>&1; expectExit 0 "check of a slab"
 expectMessage '^  left out: *--set numerics.support=2.5 (refused: .*three support radii' "a refused setting"
