@@ -45,13 +45,9 @@ Vec3d stressForce(const CurvatureContext& x, std::uint32_t i, std::size_t g, std
 
 /// Returns true if the surface ends near a row, at a wall or a solid, which take up momentum.
 bool surfaceEndsNear(const CurvatureContext& x, std::uint32_t i, std::size_t g, std::size_t l) {
-  const Continuum& p = x.world.particles;
   for (const WallContact& c : contactsOf(x.contacts, i))
     if (c.distance < x.world.grid.support) return true;
-  const NeighbourLists& lists = x.neighbours;
-  for (std::uint32_t k = 0; k < lists.count[g]; k++)
-    if (const std::uint32_t j = lists.row(g, k, l); j != lists.dummy && p.phase[j] != Liquid) return true;
-  return false;
+  return hasSolidNeighbour(x, g, l);
 }
 
 }  // namespace
@@ -72,16 +68,13 @@ void balanceSurface(const CurvatureContext& x, const std::vector<FreeSurfaceElem
   });
   for (std::uint32_t i = 0; i < p.owned; i++) p.surfaceGradient[i] = excess[i];
   refresh(x.halo, p, ColumnList{&p.surfaceGradient}).wait();
-  const NeighbourLists& lists = x.neighbours;
-  for (std::size_t g = 0; g < lists.groups; g++)
-    for (std::size_t l = 0; l < 8; l++) {
-      const std::uint32_t i = lists.self[8 * g + l];
-      if (i == lists.dummy || !(area[i] > 0)) continue;
-      Vec3d sum = p.surfaceGradient[i];
-      eachNeighbour(x, i, g, l,
-                    [&](std::uint32_t j, const Vec3d& d) { sum += p.surfaceGradient[j] * (1 - dot(d, d)); });
-      force[i] -= sum * area[i];
-    }
+  eachRow(x, [&](std::uint32_t i, std::size_t g, std::size_t l) {
+    if (!(area[i] > 0)) return;
+    Vec3d sum = p.surfaceGradient[i];
+    eachNeighbour(x, i, g, l,
+                  [&](std::uint32_t j, const Vec3d& d) { sum += p.surfaceGradient[j] * (1 - dot(d, d)); });
+    force[i] -= sum * area[i];
+  });
 }
 
 }  // namespace thaw

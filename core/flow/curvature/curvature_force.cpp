@@ -5,6 +5,7 @@
 
 #include "core/domain/extensions.hpp"
 #include "core/flow/curvature/balance_surface.hpp"
+#include "core/flow/curvature/surface_loops.hpp"
 #include "core/flow/curvature/thin_cohesion.hpp"
 #include "core/fluid/laws/particle_pressure.hpp"
 #include "core/walls/wall_forces.hpp"
@@ -29,12 +30,8 @@ std::vector<Vec3d> forcesByCurvature(const WallView& w, const std::vector<FreeSu
 /// Removes the part of a force (N) that lifts a particle off a close wall. The wall bears the component of
 /// the tension normal to it at the edge of the liquid, so the edge does not pull a drop off its wall.
 Vec3d borneByWalls(const CurvatureContext& x, std::uint32_t i, Vec3d force) {
-  constexpr double wholeUpTo = 0.75, noneFrom = 1.5;  // distances in spacings
-  for (const WallContact& c : contactsOf(x.contacts, i)) {
-    const double share = std::clamp((noneFrom - c.distance / x.world.scene.spacing) / (noneFrom - wholeUpTo),
-                                    0.0, 1.0);
-    force -= c.normal * (share * std::max(dot(force, c.normal), 0.0));
-  }
+  for (const WallContact& c : contactsOf(x.contacts, i))
+    force -= c.normal * (shareOfWall(x, c) * std::max(dot(force, c.normal), 0.0));
   return force;
 }
 

@@ -116,15 +116,6 @@ double flatColourGradient(const Numerics& numerics) {
 
 namespace {
 
-/// Returns true if a row has solid neighbours in a scene with melting.
-bool touchesSolid(const CurvatureContext& x, std::size_t g, std::size_t l) {
-  const NeighbourLists& lists = x.neighbours;
-  const Continuum& p = x.world.particles;
-  for (std::uint32_t k = 0; k < lists.count[g] && p.liquid.active; k++)
-    if (const std::uint32_t j = lists.row(g, k, l); j != lists.dummy && p.phase[j] != Liquid) return true;
-  return false;
-}
-
 /// Sets FreeSurfaceElement::resolved of owned rows, from the colour, or the number of neighbours at the same
 /// face of the surface. Single liquid particles on a solid have its colour, but no surface.
 void findResolved(const CurvatureContext& x, std::vector<FreeSurfaceElement>& elements) {
@@ -133,7 +124,7 @@ void findResolved(const CurvatureContext& x, std::vector<FreeSurfaceElement>& el
     elements[i].resolved = smoothStep(filmColour, faceColour, p.surfaceColour[i]);
   eachAtSurface(x, [&](std::uint32_t i, std::size_t g, std::size_t l) {
     double& resolved = elements[i].resolved;
-    const bool onSolid = touchesSolid(x, g, l);
+    const bool onSolid = p.liquid.active && hasSolidNeighbour(x, g, l);
     if (resolved == 1 && !onSolid) return;
     double number = 0;
     eachNeighbour(x, i, g, l, [&](std::uint32_t j, const Vec3d& d) {

@@ -11,14 +11,18 @@ namespace thaw {
 /// Returns the weight of a particle in sums over the surface.
 inline double weightOf(const Continuum& p, std::uint32_t j) { return length(p.surfaceGradient[j]); }
 
-/// Calls row(i, group, lane) for each owned row at the surface.
-template<class Row> void eachAtSurface(const CurvatureContext& x, Row&& row) {
+/// Calls row(i, group, lane) for each owned row with neighbour lists.
+template<class Row> void eachRow(const CurvatureContext& x, Row&& row) {
   const NeighbourLists& lists = x.neighbours;
   for (std::size_t g = 0; g < lists.groups; g++)
-    for (std::size_t l = 0; l < 8; l++) {
-      const std::uint32_t i = lists.self[8 * g + l];
-      if (i != lists.dummy && weightOf(x.world.particles, i) > 0) row(i, g, l);
-    }
+    for (std::size_t l = 0; l < 8; l++)
+      if (const std::uint32_t i = lists.self[8 * g + l]; i != lists.dummy) row(i, g, l);
+}
+/// Calls row(i, group, lane) for each owned row at the surface.
+template<class Row> void eachAtSurface(const CurvatureContext& x, Row&& row) {
+  eachRow(x, [&](std::uint32_t i, std::size_t g, std::size_t l) {
+    if (weightOf(x.world.particles, i) > 0) row(i, g, l);
+  });
 }
 
 /// Calls pair(j, d) for each neighbour at the surface, d = (x_j - x_i) / h.
@@ -32,6 +36,21 @@ void eachNeighbour(const CurvatureContext& x, std::uint32_t i, std::size_t g, st
     const Vec3d d = (p.position[j] - p.position[i]) / x.world.grid.support;
     if (dot(d, d) < 1) pair(j, d);
   }
+}
+
+/// Returns true if a row has solid neighbours.
+inline bool hasSolidNeighbour(const CurvatureContext& x, std::size_t g, std::size_t l) {
+  const NeighbourLists& lists = x.neighbours;
+  const Continuum& p = x.world.particles;
+  for (std::uint32_t k = 0; k < lists.count[g]; k++)
+    if (const std::uint32_t j = lists.row(g, k, l); j != lists.dummy && p.phase[j] != Liquid) return true;
+  return false;
+}
+
+/// Returns the share of a wall in the force on a particle: 1 on the wall, 0 from 1.5 spacings on.
+inline double shareOfWall(const CurvatureContext& x, const WallContact& c) {
+  constexpr double wholeUpTo = 0.75, noneFrom = 1.5;  // distances in spacings
+  return std::clamp((noneFrom - c.distance / x.world.scene.spacing) / (noneFrom - wholeUpTo), 0.0, 1.0);
 }
 
 /// Returns 0 up to `from`, 1 from `to` on, and a cubic between.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/flow/curvature/surface_loops.hpp"
 #include "core/fluid/laws/particle_pressure.hpp"
 #include "core/halo/exchange.hpp"
 #include "core/materials/rest_density.hpp"
@@ -17,20 +18,15 @@ namespace {
 constexpr double repulsiveBelow = 0.4, moment = 1.0 / 252 - repulsiveBelow / 168;
 double cohesionAt(double q) { return q * (1 - q) * (1 - q) * (q - repulsiveBelow); }
 
-/// Distances from a wall in spacings, between which the wall's part of the cohesion ends.
-constexpr double onWallUpTo = 0.75, offWallFrom = 1.5;
-
 /// Returns the tension of a film over that of one between two gases: on a wall, one face is covered, which
 /// leaves gamma (1 - cos(theta)) of 2 gamma.
 double uncovered(const CurvatureContext& x, std::uint32_t row) {
   const WallView& w = x.world;
   double least = 1;
   for (const WallContact& c : contactsOf(x.contacts, row)) {
-    const double on = std::clamp((offWallFrom - c.distance / w.scene.spacing) / (offWallFrom - onWallUpTo),
-                                 0.0, 1.0),
-                 wetting = wettingOf(w.scene.materials[w.particles.material[row]],
+    const double wetting = wettingOf(w.scene.materials[w.particles.material[row]],
                                      w.walls.list[c.wall].properties);
-    least = std::min(least, 1 - on * 0.5 * (1 + wetting));
+    least = std::min(least, 1 - shareOfWall(x, c) * 0.5 * (1 + wetting));
   }
   return least;
 }
