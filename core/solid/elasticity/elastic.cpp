@@ -6,6 +6,7 @@
 #include "core/solid/elasticity/elastic_records.hpp"
 #include "core/solid/elasticity/rereference.hpp"
 #include "core/solid/elasticity/slot_state.hpp"
+#include "core/solid/laws/lane_matrix.hpp"
 #include "core/solid/laws/plasticity.hpp"
 #include "core/solid/laws/response.hpp"
 
@@ -81,10 +82,6 @@ const ElasticKernels& kernelsOf(const ElasticWork& work) {
   return work.kernels ? *work.kernels : *elasticKernels();
 }
 
-Mat3d laneMatrix(const double m[9][8], int l) {
-  return {{{m[0][l], m[1][l], m[2][l]}, {m[3][l], m[4][l], m[5][l]}, {m[6][l], m[7][l], m[8][l]}}};
-}
-
 /// Lists the different laws of a group with their lanes.
 void listLaws(LaneConstants& c) {
   c.laws = 0;
@@ -145,8 +142,7 @@ void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneCon
 
 void completeLane(const ElasticArrays& a, std::size_t slot, int lane, double gradU[9][8]) {
   const Mat3d g = completeGradient(laneMatrix(gradU, lane), a.momentInverse[slot], a.rank[slot]);
-  for (int r = 0; r < 3; r++)
-    for (int c = 0; c < 3; c++) gradU[3 * r + c][lane] = g.row[r][c];
+  setLaneMatrix(g, gradU, lane);
 }
 
 void addNormalStress(const ElasticArrays& a, const LaneConstants& c, std::size_t slot, int lane,
@@ -161,11 +157,6 @@ void addNormalStress(const ElasticArrays& a, const LaneConstants& c, std::size_t
 }
 
 namespace {
-
-void putLane(const Mat3d& m, int lane, double out[9][8]) {
-  for (int r = 0; r < 3; r++)
-    for (int q = 0; q < 3; q++) out[3 * r + q][lane] = m.row[r][q];
-}
 
 /// Returns the work (Pa) of a flow that ends with F - 1 = g.
 double lossOf(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const Mat3d& g,
@@ -196,8 +187,8 @@ void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t slo
   }
   if (a.lastGradient && !passive) a.lastGradient[slot] = g;
   if (a.flows && a.flow) a.flows[slot] = flow.flows;
-  putLane(flow.elastic, lane, out.elastic);
-  putLane(inverse, lane, out.inverse);
+  setLaneMatrix(flow.elastic, out.elastic, lane);
+  setLaneMatrix(inverse, out.inverse, lane);
 }
 
 ElasticResult computeDeformationAndStress(ElasticWork& work, Solids& solids, const Bonds& bonds,

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/scene/scene.hpp"
+#include "core/solid/laws/lane_matrix.hpp"
 
 namespace thaw {
 namespace {
@@ -39,18 +40,6 @@ std::map<std::string, KnownLaw>& knownLaws() {
     }
   });
   return all;
-}
-
-Mat3d laneOf(const double (*matrix)[8], int lane) {
-  Mat3d m;
-  for (int r = 0; r < 3; r++)
-    for (int c = 0; c < 3; c++) m.row[r][c] = matrix[3 * r + c][lane];
-  return m;
-}
-
-void setLane(const Mat3d& m, double (*matrix)[8], int lane) {
-  for (int r = 0; r < 3; r++)
-    for (int c = 0; c < 3; c++) matrix[3 * r + c][lane] = m.row[r][c];
 }
 
 }  // namespace
@@ -90,10 +79,10 @@ const BoundLaw& boundLaw(const Material& m) {
 LawResponse responseOf(const BoundLaw& bound, const Mat3d& gradU, double lambda, double mu) {
   if (bound.law->response) return bound.law->response(gradU, lambda, mu, bound.values);
   alignas(64) double gradient[9][8]{}, stress[9][8]{}, lambdas[8]{}, mus[8]{}, energy[8]{};
-  setLane(gradU, gradient, 0);
+  setLaneMatrix(gradU, gradient, 0);
   lambdas[0] = lambda, mus[0] = mu;
   bound.law->lanes({gradient, lambdas, mus, bound.values, stress, energy});
-  return {energy[0], laneOf(stress, 0)};
+  return {energy[0], laneMatrix(stress, 0)};
 }
 
 Vec3d principalOf(const BoundLaw& bound, const Vec3d& stretch, double lambda, double mu) {
@@ -111,8 +100,8 @@ void takeLogarithmsOfLanes(double values[8]) {
 void respondGroup(const ElasticLaw& law, const LawGroup& g) {
   if (law.lanes) return law.lanes(g);
   for (int l = 0; l < 8; l++) {
-    const LawResponse r = law.response(laneOf(g.gradient, l), g.lambda[l], g.mu[l], g.values);
-    setLane(r.stress, g.stress, l);
+    const LawResponse r = law.response(laneMatrix(g.gradient, l), g.lambda[l], g.mu[l], g.values);
+    setLaneMatrix(r.stress, g.stress, l);
     if (g.energy) g.energy[l] = r.energy;
   }
 }
