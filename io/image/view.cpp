@@ -7,10 +7,6 @@ namespace thaw {
 
 namespace {
 
-Vec3f toFloat(const Vec3d& a) {
-  return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
-}
-
 struct Axes {
   Vec3d right, up, forward;
 };
@@ -34,10 +30,10 @@ void ViewBox::add(const Vec3d& p) {
 View viewOf(const Camera& camera, int width, int height) {
   const Axes axes = axesOf(camera.at == camera.from ? Vec3d{0, 1, 0} : camera.at - camera.from);
   View v;
-  v.origin = toFloat(camera.from);
-  v.right = toFloat(axes.right);
-  v.up = toFloat(axes.up);
-  v.forward = toFloat(axes.forward);
+  v.origin = single(camera.from);
+  v.right = single(axes.right);
+  v.up = single(axes.up);
+  v.forward = single(axes.forward);
   v.focal = static_cast<float>(0.5 * height / std::tan(0.5 * camera.fieldOfView));
   v.centreX = 0.5f * static_cast<float>(width);
   v.centreY = 0.5f * static_cast<float>(height);

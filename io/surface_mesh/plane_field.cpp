@@ -11,14 +11,10 @@ namespace thaw {
 
 namespace {
 
-Vec3f singleOf(const Vec3d& v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
 /// A surfel as it is summed.
 struct Plane {
   Plane(const SurfaceFrame& frame, std::size_t i)
-      : normal{frame.normals[i].x, frame.normals[i].y, frame.normals[i].z},
+      : normal(wide(frame.normals[i])),
         colour{double(frame.colours[i].r), double(frame.colours[i].g), double(frame.colours[i].b)},
         sharpness(0.5 / (planeSharpness * frame.radii[i] * planeSharpness * frame.radii[i])) {}
   Vec3d normal, colour;
@@ -83,8 +79,8 @@ PlaneHeight PlaneField::at(const Vec3d& x) const {
     if (!(dot(frame_.normals[i], frame_.normals[nearest]) < planeAgreement))
       sums.add(Plane(frame_, i), x - frame_.positions[i], nearest2);
   h.value = sums.height();
-  h.normal = singleOf(sums.normal);
-  h.colour = singleOf(sums.colour / sums.weight);
+  h.normal = single(sums.normal);
+  h.colour = single(sums.colour / sums.weight);
   h.known = true;
   return h;
 }
@@ -116,8 +112,8 @@ BandHeights heightsAround(const SurfaceFrame& frame, BandGrid& grid) {
   for (const PlaneSums& s : sums) {
     heights.values.push_back(s.height());
     const double l = length(s.normal);
-    heights.normals.push_back(l > 0 ? singleOf(s.normal / l) : Vec3f{});
-    heights.colours.push_back(singleOf(s.colour / s.weight));
+    heights.normals.push_back(l > 0 ? single(s.normal / l) : Vec3f{});
+    heights.colours.push_back(single(s.colour / s.weight));
   }
   return heights;
 }

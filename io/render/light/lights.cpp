@@ -15,14 +15,11 @@ Vec3f unit(const Vec3f& a) {
   const float l = std::sqrt(dot(a, a));
   return l > 0 ? a / l : a;
 }
-Vec3f toFloat(const Vec3d& a) {
-  return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
-}
 
 constexpr int skyDirections = 24;
 
 Vec3f sunDirection(const Lighting& lighting, const View& view) {
-  if (lighting.sun) return toFloat(normalized(*lighting.sun));
+  if (lighting.sun) return single(normalized(*lighting.sun));
   Vec3f level{view.forward.x, view.forward.y, 0};
   level = dot(level, level) > 1e-6f ? unit(level) : unit({view.up.x, view.up.y, 0});
   return unit(-0.62f * view.right - 0.52f * level + Vec3f{0, 0, 0.95f});
@@ -33,7 +30,7 @@ Vec3f sunDirection(const Lighting& lighting, const View& view) {
 std::vector<LightSource> lightSources(const Lighting& lighting, const View& view) {
   std::vector<LightSource> all;
   for (const DistantLight& l : lighting.lights)
-    all.push_back({toFloat(normalized(l.direction)), l.colour, static_cast<float>(0.5 * l.size)});
+    all.push_back({single(normalized(l.direction)), l.colour, static_cast<float>(0.5 * l.size)});
   // about ten times the size of the real sun, as in haze
   if (all.empty()) all.push_back({sunDirection(lighting, view), {1, 1, 1}, 0.07f});
   return all;
@@ -223,8 +220,8 @@ constexpr int floorSunDirections = 32, floorSkyDirections = 64;
 FloorLight::FloorLight(const Lights& lights, const Discs& casters, const FloorHint& floor,
                        const Vec3f& centre, float reach)
     : reach_(reach) {
-  normal_ = toFloat(floor.normal);
-  origin_ = centre - dot(centre - toFloat(floor.point), normal_) * normal_;
+  normal_ = single(floor.normal);
+  origin_ = centre - dot(centre - single(floor.point), normal_) * normal_;
   u_ = unit(cross(normal_, std::abs(normal_.z) < 0.9f ? Vec3f{0, 0, 1} : Vec3f{1, 0, 0}));
   v_ = cross(normal_, u_);
   // The table extends farther for high objects, whose shadows fall far aside.

@@ -8,8 +8,6 @@ namespace thaw {
 
 namespace {
 
-Vec3d toDouble(const Vec3f& a) { return {a.x, a.y, a.z}; }
-
 /// Clips the ray to the box, in multiples of the direction; false if the ray misses it.
 bool clipToBox(const Vec3d& origin, const Vec3d& direction, const Bounds& box, double& from, double& to) {
   for (int a = 0; a < 3; a++) {
@@ -77,8 +75,7 @@ void drawGlasses(Image& image, const RenderStyle& style, const View& view, const
     if (!std::isfinite(box.max.x - box.min.x) || !std::isfinite(box.max.y - box.min.y) ||
         !std::isfinite(box.max.z - box.min.z))
       continue;
-    const Vec3d size = box.max - box.min,
-                origin = transpose(glass.turn) * (toDouble(view.origin) - glass.move);
+    const Vec3d size = box.max - box.min, origin = transpose(glass.turn) * (wide(view.origin) - glass.move);
     const Vec3d up = transpose(glass.turn) * Vec3d{0, 0, 1};
     const double step = 2e-3 * length(size);
     // rays start outside of the surface
@@ -87,8 +84,8 @@ void drawGlasses(Image& image, const RenderStyle& style, const View& view, const
       for (int x = 0; x < image.width; x++) {
         const std::size_t sample = static_cast<std::size_t>(y * samples) * buffer.width +
                                    static_cast<std::size_t>(x) * samples;
-        const Vec3d ray = transpose(glass.turn) * toDouble(view.ray(static_cast<float>((x + 0.5) * samples),
-                                                                    static_cast<float>((y + 0.5) * samples)));
+        const Vec3d ray = transpose(glass.turn) * wide(view.ray(static_cast<float>((x + 0.5) * samples),
+                                                                static_cast<float>((y + 0.5) * samples)));
         double from = 0, to = buffer.depth[sample];  // the ray has depth 1
         if (!clipToBox(origin, ray, box, from, to)) continue;
         const double scale = length(ray);
