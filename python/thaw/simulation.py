@@ -232,10 +232,14 @@ class Simulation:
         """Tables of the scene: "particles", and "solids", "surfels", "oriented", "sheets" if it has them."""
         return self._core.tables()
 
-    def fields(self, table: str = "particles") -> dict[str, tuple[str, str, int]]:
-        """Fields of a table: name -> (unit, meaning, number of components). Raises thaw.FieldError."""
+    def _require(self, table: str) -> None:
+        """Raises thaw.FieldError for a table that the simulation does not have."""
         if table not in self.tables:
             raise unknownName(table, self.tables, "the simulation", "table")
+
+    def fields(self, table: str = "particles") -> dict[str, tuple[str, str, int]]:
+        """Fields of a table: name -> (unit, meaning, number of components). Raises thaw.FieldError."""
+        self._require(table)
         return {name: (unit, about, n) for name, unit, about, n in self._core.fields(table)}
 
     @property
@@ -256,7 +260,7 @@ class Simulation:
         or checkpoint is possible.
         """
         changes = table == "particles"
-        self.fields(table)  # raises for an unknown table
+        self._require(table)
         if changes and self._local:
             raise RuntimeError("sim.local(): a block of the particles is open; use its rows, sim.particles")
         self._core.begin_block(table, changes)
@@ -278,8 +282,9 @@ class Simulation:
         """
         if by != "id":
             raise ValueError(f"by: expected 'id', by which rows are sorted, got {by!r}")
-        if field not in self.fields(table):
-            raise unknownName(field, self.fields(table), f"table '{table}'")
+        known = self.fields(table)
+        if field not in known:
+            raise unknownName(field, known, f"table '{table}'")
         return self._core.gather(table, field)
 
     @property
