@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <fstream>
 #include <numbers>
 
 #include "core/materials/liquid_materials.hpp"
 #include "core/simulation/setup/prepare_surface.hpp"
 #include "core/simulation/views/views.hpp"
+#include "core/time/seconds_now.hpp"
 #include "io/run/require_memory.hpp"
 #include "io/text/bytes_text.hpp"
 #include "io/text/duration_text.hpp"
@@ -19,10 +19,6 @@ namespace thaw {
 namespace {
 
 using std::numbers::pi;
-
-double secondsNow() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// Resident memory of this process, in bytes.
 double residentNow() {

@@ -4,14 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <ctime>
 #include <stdexcept>
 #include <vector>
 
 #include "core/time/frame_times.hpp"
-#include "io/scene/scene_for_all.hpp"
+#include "core/time/seconds_now.hpp"
 #include "parallel/mpi_simulation.hpp"
 
 namespace thaw {
@@ -31,21 +30,17 @@ struct Mark {
 
 double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-double wallSeconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 /// Steps the simulation to its end, or until the time is over. Returns a mark after each step; nothing if a
 /// step fails. Collective, the same result on all ranks.
 std::vector<Mark> runToEnd(const Communicator& comm, MpiSimulation& simulation) {
   const Clock& clock = simulation.world.clock;
-  const double start = processorSeconds(), until = wallSeconds() + mostSeconds;
+  const double start = processorSeconds(), until = secondsNow() + mostSeconds;
   std::vector<Mark> marks;
   for (int over = 0; !over && clock.time < clock.end;) {
     if (simulation.step().failure != Failure::None) return {};
     double seconds = processorSeconds() - start;
     MPI_Bcast(&seconds, 1, MPI_DOUBLE, 0, comm.handle());
-    over = wallSeconds() > until;
+    over = secondsNow() > until;
     MPI_Bcast(&over, 1, MPI_INT, 0, comm.handle());
     marks.push_back({clock.time, seconds, static_cast<double>(marks.size() + 1)});
   }
@@ -72,15 +67,10 @@ std::optional<RunGrowth> growthOfCoarseRun(const Communicator& comm, const Tried
   const double factor = std::clamp(std::pow(estimate / aim, 0.25), leastFactor, mostFactor);
   if (!(estimate / std::pow(factor, 4) < mostSeconds)) return std::nullopt;
   RunGrowth growth{factor * spacing};
-  std::vector<std::string> overrides = scene.overrides;
-  overrides.push_back(fmt::format("spacing={}", growth.spacing));
   MpiSimulation simulation(comm);
-  World& w = simulation.world;
+  const World& w = simulation.world;
   try {
-    w.scene = sceneForAll(comm, scene.path, overrides);
-    w.scene.surface.on = false;  // the surface acts on no particle
-    simulation.prepare(meshLoader());
-    simulation.start(meshLoader());
+    startTrial(simulation, comm, scene, {fmt::format("spacing={}", growth.spacing)});
   } catch (const std::runtime_error&) {  // set-up fails alike on all ranks
     return std::nullopt;
   }

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "core/simulation/ledger/report.hpp"
+#include "core/time/seconds_now.hpp"
 #include "io/run/failure_text.hpp"
 #include "io/scene/scene_for_all.hpp"
 #include "parallel/mpi_simulation.hpp"
@@ -22,11 +22,19 @@ constexpr double mostSeconds = 15;    // all runs together
 constexpr double unexplained = 0.05;  // residual over the largest term of the ledger, beyond that without the
                                       // setting
 
-double secondsNow() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 }  // namespace
+
+void startTrial(MpiSimulation& simulation, const Communicator& comm, const TriedScene& scene,
+                const std::vector<std::string>& settings) {
+  std::vector<std::string> overrides = scene.overrides;
+  overrides.insert(overrides.end(), settings.begin(), settings.end());
+  Scene& s = simulation.world.scene;
+  s = sceneForAll(comm, scene.path, overrides);
+  s.surface.on = false;
+  for (OrientedBody& b : s.oriented) b.relax = 0;
+  simulation.prepare(meshLoader());
+  simulation.start(meshLoader());
+}
 
 SettingTrials::SettingTrials(const Communicator& comm, TriedScene scene)
     : comm_(comm), scene_(std::move(scene)), start_(secondsNow()) {
@@ -45,13 +53,7 @@ SettingTrials::Result SettingTrials::runWith(const std::vector<std::string>& set
   MpiSimulation simulation(comm_);
   World& w = simulation.world;
   StepTools& t = simulation.tools;
-  std::vector<std::string> overrides = scene_.overrides;
-  overrides.insert(overrides.end(), settings.begin(), settings.end());
-  w.scene = sceneForAll(comm_, scene_.path, overrides);
-  w.scene.surface.on = false;  // the surface acts on no particle
-  for (OrientedBody& b : w.scene.oriented) b.relax = 0;
-  simulation.prepare(meshLoader());
-  simulation.start(meshLoader());
+  startTrial(simulation, comm_, scene_, settings);
   for (int n = 0; n < steps_ && w.clock.time < w.clock.end; n++) {
     StepOutcome o = simulation.step();
     const bool last = n + 1 == steps_ || w.clock.time >= w.clock.end;

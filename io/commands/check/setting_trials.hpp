@@ -7,6 +7,7 @@
 
 #include "core/scene/scene.hpp"
 #include "parallel/communicator.hpp"
+#include "parallel/mpi_simulation.hpp"
 
 namespace thaw {
 
@@ -16,6 +17,11 @@ struct TriedScene {
   std::vector<std::string> overrides;
   double particles = 0;
 };
+
+/// Sets up the scene with further settings ("key=value") and without its surface, which acts on no particle.
+/// Oriented bodies are not relaxed first. Throws std::runtime_error on all ranks alike. Collective.
+void startTrial(MpiSimulation& simulation, const Communicator& comm, const TriedScene& scene,
+                const std::vector<std::string>& settings);
 
 /// Short runs of a scene with settings, in memory, on all ranks. The product of particles and steps is
 /// bounded, as is the time of all runs. Too large scenes are not tried.

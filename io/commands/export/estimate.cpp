@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
+#include "core/time/seconds_now.hpp"
 #include "io/text/bytes_text.hpp"
 #include "io/text/duration_text.hpp"
 
@@ -25,10 +25,6 @@ double rowsOf(const FrameGroup& group, unsigned contents) {
       rows += (content == surfaceContent ? 1 : particleShare) *
               static_cast<double>(readFrameInfo(file.string()).count);
   return rows;
-}
-
-double secondsNow() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 /// The frame to measure, and the cost of the whole export in units of this frame.

@@ -1,29 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <unistd.h>
 
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 
 #include <fmt/format.h>
 
+#include "core/time/seconds_now.hpp"
 #include "io/commands/export/export_frames.hpp"
 #include "io/text/duration_text.hpp"
 #include "io/text/progress_bar.hpp"
 
 namespace thaw {
 
-namespace {
-
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-}  // namespace
-
 ProgressLine::ProgressLine(std::size_t count, bool wantsLines)
-    : count_(count), start_(now()), isTerminal_(false), wantsLines_(wantsLines && count > 1) {
+    : count_(count), start_(secondsNow()), isTerminal_(false), wantsLines_(wantsLines && count > 1) {
   const char* term = std::getenv("TERM");
   isTerminal_ = count > 1 && isatty(STDERR_FILENO) == 1 && term && std::string(term) != "dumb";
 }
@@ -35,7 +27,8 @@ void ProgressLine::clear() const {
 }
 
 void ProgressLine::done(std::size_t frames) {
-  const double left = (now() - start_) / static_cast<double>(frames) * static_cast<double>(count_ - frames),
+  const double left = (secondsNow() - start_) / static_cast<double>(frames) *
+                      static_cast<double>(count_ - frames),
                share = static_cast<double>(frames) / static_cast<double>(count_);
   const std::string counts = fmt::format("{} of {} frames", frames, count_);
   if (isTerminal_) {
