@@ -9,6 +9,7 @@
 #include "core/scene/phase_density.hpp"
 #include "core/sheet/data/plan_sheets.hpp"
 #include "core/simulation/time/limits.hpp"
+#include "core/solid/laws/elastic_law.hpp"
 #include "core/time/frame_times.hpp"
 
 namespace thaw {
