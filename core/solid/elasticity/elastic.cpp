@@ -2,6 +2,8 @@
 // Preparation of the bond loops (elastic_isa.cpp), and their scalar parts.
 #include "core/solid/elasticity/elastic.hpp"
 
+#include <cmath>
+
 #include "core/solid/elasticity/elastic_kernels.hpp"
 #include "core/solid/elasticity/elastic_records.hpp"
 #include "core/solid/elasticity/rereference.hpp"
@@ -104,7 +106,7 @@ void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneCon
     same = solids.material[s] == out.material && !(solids.liquid.active && solids.liquid[s] > 0);
   }
   if (!same) {
-    out.anyVolumeStiffness = false;
+    out.anyVolumeStiffness = out.anyHourglassYield = false;
     out.material = solids.material[slot0];
     for (int l = 0; l < 8; l++) {
       const std::size_t s = slot0 + static_cast<std::size_t>(l);
@@ -123,6 +125,7 @@ void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneCon
       out.mu[l] = c.mu;
       out.volumeStiffness[l] = c.volume;
       out.anyVolumeStiffness = out.anyVolumeStiffness || c.volume > 0;
+      out.anyHourglassYield = out.anyHourglassYield || c.hourglassYield < never;
     }
     listLaws(out);
   }
@@ -154,6 +157,16 @@ void addNormalStress(const ElasticArrays& a, const LaneConstants& c, std::size_t
                      full(a.momentInverse[slot]);
   for (int r = 0; r < 3; r++)
     for (int q = 0; q < 3; q++) of.flux[3 * r + q][lane] += more.row[r][q];
+}
+
+void yieldHourglass(const ElasticArrays& a, std::size_t slot, int lane, LaneConstants& c,
+                    double (&errors)[8]) {
+  const double young = c.constants[lane].hourglass, limit = c.constants[lane].hourglassYield,
+               error = std::sqrt(errors[lane] * a.perTrace[slot]);
+  errors[lane] = 0;
+  if (!(error > limit)) return;
+  c.hourglass[lane] *= limit / error;
+  errors[lane] = 0.5 * young * limit * (error - limit);
 }
 
 namespace {

@@ -33,12 +33,27 @@ THAW_INLINE void sumGradient(const BondLoader<Real, periodic, vectors>& bonds, s
   sum = {{x, y, z}};
 }
 
+/// Returns sum w |u - grad u X|^2 of bonds [at, end).
+template<class Real, bool periodic, bool vectors>
+THAW_INLINE Lanes<Real> sumErrors(const BondLoader<Real, periodic, vectors>& bonds, std::size_t at,
+                                  std::size_t end, const Mat3<Lanes<Real>>& gradient) {
+  using T = Lanes<Real>;
+  T errors(Real(0));
+  for (; at < end; at += 8) {
+    const EightBonds<Real> b = bonds(at);
+    const Vec3<T> e{b.u.x - dot(gradient.row[0], b.reference), b.u.y - dot(gradient.row[1], b.reference),
+                    b.u.z - dot(gradient.row[2], b.reference)};
+    errors += b.weight * (e.x * e.x + e.y * e.y + e.z * e.z);
+  }
+  return errors;
+}
+
 template<class Real, bool periodic, bool vectors>
 __attribute__((flatten)) void deformationOf(ElasticArrays& a) {
   using T = Lanes<Real>;
   BondLoader<Real, periodic, vectors> bonds(a);
   const T scale2(static_cast<Real>(bonds.scale() * bonds.scale()));
-  alignas(64) double gradU[9][8], inverse[6][8], energy[8];
+  alignas(64) double gradU[9][8], inverse[6][8], energy[8], more[8];
   LaneConstants c;
   alignas(64) PlasticLanes plastic;
   T largest(Real(1));
@@ -70,6 +85,11 @@ __attribute__((flatten)) void deformationOf(ElasticArrays& a) {
         if (a.singularLanes[g] >> l & 1) completeLane(a, s0 + static_cast<std::size_t>(l), l, gradU);
       gradient = loadMatrix<Real>(gradU);
     }
+    if (c.anyHourglassYield) {
+      const double scale = bonds.scale();
+      toDoubles(widen(sumErrors(bonds, base, end, gradient)) * LanesD(scale * scale), more);
+      for (int l = 0; l < n; l++) yieldHourglass(a, s0 + static_cast<std::size_t>(l), l, c, more);
+    }
     Mat3<T> f = gradient;
     f.row[0].x += T(Real(1));
     f.row[1].y += T(Real(1));
@@ -100,6 +120,8 @@ __attribute__((flatten)) void deformationOf(ElasticArrays& a) {
       piola = piola + volumeStress(fe, stiffness);
       if (a.energy) toDoubles(loadRow(energy) + widen(volumeEnergy(fe, stiffness)), energy);
     }
+    if (c.anyHourglassYield && a.energy)
+      for (int l = 0; l < n; l++) energy[l] += more[l];
     if (a.plastic) piola = piola + piola * transpose(plasticInverse);
 
     // flux = V P A^-1 - k grad u

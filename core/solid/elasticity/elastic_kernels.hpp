@@ -68,7 +68,7 @@ struct alignas(64) LaneConstants {
   double lambda[8], mu[8], volumeStiffness[8], volume[8], hourglass[8], drag[8];
   double active[8];  // 0: no slot, or a passive one
   ElasticConstants constants[8];
-  bool anyVolumeStiffness;
+  bool anyVolumeStiffness, anyHourglassYield;
   int laws;                // different laws in the group
   const BoundLaw* law[8];  // the first `laws`, in the order of lanes
   unsigned lanesOf[8];     // lanes of each law, a bit each
@@ -86,6 +86,10 @@ struct FlatLane {
 };
 void addNormalStress(const ElasticArrays& a, const LaneConstants& c, std::size_t slot, int lane,
                      const FlatLane& of);
+/// Limits the hourglass stress of one lane (hourglassEnergy). errors: sum w |x - F X|^2 (m^2), then the
+/// energy (Pa) beyond that of the reduced stiffness.
+void yieldHourglass(const ElasticArrays& a, std::size_t slot, int lane, LaneConstants& c,
+                    double (&errors)[8]);
 /// Plastic flow of one lane: updates Solids::plasticInverse, records the loss, and returns Fe - 1 and Fp^-1 -
 /// 1.
 struct PlasticLanes {

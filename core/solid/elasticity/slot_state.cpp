@@ -169,7 +169,7 @@ SlotStrain strainWith(const ElasticWork& work, const Solids& solids, std::size_t
   const ElasticConstants c = slotConstants(work, solids, slot);
   const Mat3d elastic = work.plastic ? elasticGradient(gradU, solids.plasticInverse[slot]) : gradU;
   return {gradU, solids.volume[slot] *
-                     (elasticResponse(c, elastic).energy + 0.5 * c.hourglass * work.perTrace[slot] * errors)};
+                     (elasticResponse(c, elastic).energy + hourglassEnergy(c, work.perTrace[slot] * errors))};
 }
 
 }  // namespace
