@@ -15,7 +15,7 @@ namespace {
 constexpr double mostPoints = 1099511627776.0;  // 2^40
 constexpr std::size_t pointsAtOnce = 256;       // points of a row per batch
 
-/// Returns the lattice in bounds along the axes of the scene.
+/// Returns the lattice in bounds, along the axes of the bounds.
 SampleLattice latticeIn(const Bounds& b, double spacing, Layers layers) {
   SampleLattice l;
   l.spacing = spacing;
@@ -38,19 +38,15 @@ SampleLattice latticeIn(const Bounds& b, double spacing, Layers layers) {
 }  // namespace
 
 SampleLattice sampleLattice(const SignedDistance& shape, double spacing, Layers layers) {
-  return latticeIn(shape.bounds(), spacing, layers);
-}
-
-SampleLattice turnedLattice(const SignedDistance& shape, double spacing) {
   const Mat3d axes = axesOf(shape);
-  if (isIdentity(axes)) return sampleLattice(shape, spacing);
+  if (isIdentity(axes)) return latticeIn(shape.bounds(), spacing, layers);
   const Mat3d rows = transpose(axes);
   Bounds b;
   for (int a = 0; a < 3; a++) {
     b.min[a] = -shape.extent(-rows.row[a]);
     b.max[a] = shape.extent(rows.row[a]);
   }
-  SampleLattice l = latticeIn(b, spacing, Layers::Cover);
+  SampleLattice l = latticeIn(b, spacing, layers);
   l.axes = axes;
   l.turned = true;
   l.corner = axes * l.corner;

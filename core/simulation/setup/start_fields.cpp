@@ -92,11 +92,7 @@ Vec3d middleOf(const SignedDistance& shape) {
 }
 
 SampleLattice bodyLattice(const Scene& s, const Body& body, const SignedDistance& shape) {
-  const bool solid = solidAtStart(s, body);
-  // Rigid pieces touch at their particles, so faces and edges need particles at a uniform depth.
-  if (solid && s.materials[static_cast<std::size_t>(body.material)].isRigid())
-    return turnedLattice(shape, s.spacing);
-  return sampleLattice(shape, s.spacing, solid ? Layers::Cover : Layers::Fit);
+  return sampleLattice(shape, s.spacing, solidAtStart(s, body) ? Layers::Cover : Layers::Fit);
 }
 
 Vec3d startVelocity(const Body& b, const Vec3d& centre, const Vec3d& x) {
