@@ -97,7 +97,8 @@ void readVelocityGradient(TableReader& r, VelocityField& field, const char* abou
   for (std::size_t i = 0; i < 3; i++) {
     const toml::array* row = rows->get(i)->as_array();
     if (!row || row->size() != 3)
-      return refuse(row ? fmt::format("a list of {} in place {}", row->size(), i + 1) : shown(*rows->get(i)));
+      return refuse(row ? fmt::format("a list of {} in place {}", row->size(), i + 1)
+                        : fmt::format("{} in place {}", shown(*rows->get(i)), i + 1));
     for (std::size_t j = 0; j < 3; j++)
       r.quantity(*row->get(j), key, "1/s", anyNumber(), field.gradient.row[i][static_cast<int>(j)]);
   }

@@ -222,7 +222,7 @@ bool TableReader::readVector(const char* key, const char* unit, Vec3d& value) {
   if (!a || a->size() != 3) {
     refuse(key, *n,
            fmt::format("expected a list of three quantities such as [0, 0, 0], got {}",
-                       a ? fmt::format("{}", a->size()) : shown(*n)));
+                       a ? fmt::format("a list of {}", a->size()) : shown(*n)));
     return true;
   }
   for (std::size_t k = 0; k < 3; k++)

@@ -55,7 +55,11 @@ bool isArithmetic(const std::string& text) {
 std::string messageOf(const mu::ParserError& e) {
   const int code = e.GetCode();
   const std::string where = fmt::format(" at character {}", e.GetPos() + 1);
-  if (code == mu::ecUNASSIGNABLE_TOKEN) return "unknown name " + quoted(e.GetToken()) + where;
+  if (code == mu::ecUNASSIGNABLE_TOKEN) {
+    std::string name = e.GetToken();  // with a blank that muParser appends
+    name.erase(name.find_last_not_of(' ') + 1);
+    return "unknown name " + quoted(name) + where;
+  }
   if (code == mu::ecUNEXPECTED_EOF) return "it ends too early";
   std::string text = e.GetMsg();
   if (const std::size_t at = text.find(" found at position"); at != std::string::npos)
@@ -73,6 +77,8 @@ const char* const expressionWords =
 
 Expression parseExpression(const std::string& text) {
   if (text.size() > longest) return {{}, fmt::format("it is longer than {} characters", longest)};
+  if (const std::size_t k = text.find('\0'); k != std::string::npos)  // muParser would end there
+    return {{}, fmt::format("character {} is a zero", k + 1)};
   if (const std::size_t k = assignmentIn(text); k != std::string::npos)
     return {{}, fmt::format("'=' at character {}: nothing can be assigned here (equality is '==')", k + 1)};
   const auto formula = std::make_shared<Formula>();

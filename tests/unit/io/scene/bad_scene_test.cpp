@@ -90,7 +90,7 @@ TEST(BadScene, EveryErrorHasAMessageWithItsPlace) {
        "s.toml:8:1: error: body 'block': its material is missing: expected `material`"},
       {"[0.1, 0.1, 0.1]", "[0.1, 0.1]",
        "s.toml:10:16: error: body.block.box.size: expected a list of three quantities such as [0, 0, 0], got "
-       "2"},
+       "a list of 2"},
       {"[0.1, 0.1, 0.1]", "[0.1, 0.1, -0.1]",
        "s.toml:10:16: error: body.block.box.size: edge lengths must be > 0 m"},
       {"[1, 1, 1]", "[1, 1, -1]", "s.toml:5:7: error: domain.max: must exceed `domain.min` along z"},
