@@ -15,7 +15,8 @@ namespace thaw {
 /// uses Fit, since Cover would push adjacent liquid away.
 enum class Layers { Cover, Fit };
 
-/// Cubic lattice around the box of a body along its axes, centred on it. A box of n spacings along them gets n points, the outer ones half a spacing inside.
+/// Cubic lattice around the box of a body along its axes, centred on it. A box of n spacings along them gets
+/// n points, the outer ones half a spacing inside.
 struct SampleLattice {
   Vec3d corner{};                    ///< m, half a spacing below point (0, 0, 0) along each axis
   double spacing = 0;                ///< m
