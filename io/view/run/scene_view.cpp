@@ -7,14 +7,13 @@
 #include <numbers>
 
 #include "core/geometry/basic/signed_distance.hpp"
-#include "core/geometry/builtin/polygonise.hpp"
 #include "core/geometry/shapes/pose.hpp"
-#include "core/geometry/shapes/shape_mesh.hpp"
 #include "core/scene/modules.hpp"
 #include "io/hdf5/h5_file.hpp"
 #include "io/render/scene_job.hpp"
 #include "io/render/scene_marks.hpp"
 #include "io/scene/scene_for_all.hpp"
+#include "io/surface_mesh/obstacle_mesh.hpp"
 
 namespace thaw {
 namespace {
@@ -36,24 +35,6 @@ std::string colourField(const Scene& scene) {
   return hasContinuum(scene) ? "speed" : "surface";
 }
 
-bool isCut(const Shape& shape) {
-  return shape.kind == ShapeKind::Difference || shape.kind == ShapeKind::Intersection ||
-         std::any_of(shape.parts.begin(), shape.parts.end(), isCut);
-}
-
-/// Returns the surface of a bounded shape. Cuts are polygonised, others are exact up to a small sag.
-TriangleMesh meshOf(const Shape& shape, const SignedDistance& distance) {
-  const Bounds box = distance.bounds();
-  const Vec3d size = box.max - box.min;
-  const double largest = std::max({size.x, size.y, size.z});
-  if (!isCut(shape)) return shapeMesh(shape, 2e-3 * largest, meshLoader());
-  constexpr double cells = 80;
-  const double edge = largest / cells;
-  const Vec3d margin{2 * edge, 2 * edge, 2 * edge};
-  return polygonise([&](const Vec3d& x) { return distance.distanceWithin(x, 2 * edge); },
-                    {box.min - margin, box.max + margin}, edge);
-}
-
 /// Adds a plane or the triangles of an obstacle. Vertices are numbered over all obstacles.
 void addObstacle(const Obstacle& obstacle, Json& entry, std::vector<float>& vertices,
                  std::vector<std::uint32_t>& triangles) {
@@ -67,7 +48,7 @@ void addObstacle(const Obstacle& obstacle, Json& entry, std::vector<float>& vert
     entry["plane"] = {{"point", vectorJson(-away * normal)}, {"normal", vectorJson(normal)}};
     return;
   }
-  const TriangleMesh mesh = meshOf(obstacle.shape, *distance);
+  const TriangleMesh mesh = boundedMesh(obstacle.shape, *distance);
   const auto start = static_cast<std::uint32_t>(vertices.size() / 3);
   for (const Vec3d& v : mesh.vertices)
     for (int a = 0; a < 3; a++) vertices.push_back(static_cast<float>(v[a]));
