@@ -25,6 +25,25 @@ Json vectorJson(const Vec3d& v) { return {v.x, v.y, v.z}; }
 /// Returns red, green and blue, 0 to 255.
 Json colourJson(std::uint32_t colour) { return {colour & 255, colour >> 8 & 255, colour >> 16 & 255}; }
 
+Json colourJson(const Rgb& c) { return {c.r, c.g, c.b}; }
+Json colourJson(const std::optional<Rgb>& c) { return c ? colourJson(*c) : Json(nullptr); }
+
+/// Returns lights with their directions (unit vectors) and linear colours. Without lights the page has its
+/// own behind the camera.
+Json lightingJson(const Lighting& lighting) {
+  Json lights = Json::array();
+  const auto add = [&](const Vec3d& direction, const Vec3f& colour) {
+    lights.push_back({{"to_light", vectorJson(normalized(direction))}, {"colour", vectorJson(wide(colour))}});
+  };
+  if (lighting.sun) add(*lighting.sun, {1, 1, 1});
+  for (const DistantLight& l : lighting.lights) add(l.direction, l.colour);
+  return {
+      {"lights", lights},
+      {"ambient", lighting.ambient},
+      {"background", colourJson(lighting.background)},
+      {"background_top", colourJson(lighting.backgroundTop ? lighting.backgroundTop : lighting.background)}};
+}
+
 const char* sideName(Side side) {
   return side == Side::Wall ? "wall" : side == Side::Periodic ? "periodic" : "open";
 }
@@ -84,6 +103,7 @@ Json sceneView(const Scene& scene) {
     view["camera"] = {{"from", vectorJson(o.camera.from)},
                       {"at", vectorJson(o.camera.at)},
                       {"field_of_view_deg", o.camera.fieldOfView * 180 / std::numbers::pi}};
+  view["lighting"] = lightingJson(lightingOf(o));
   view["colour_min"] = o.colourMin ? Json(*o.colourMin) : Json(nullptr);
   view["colour_max"] = o.colourMax ? Json(*o.colourMax) : Json(nullptr);
   return view;
