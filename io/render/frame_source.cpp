@@ -12,6 +12,7 @@
 #include "io/frames/series.hpp"
 #include "io/render/mesh_faces.hpp"
 #include "io/render/scene_job.hpp"
+#include "io/render/surfels/cut_sides.hpp"
 #include "io/surface_mesh/surface_mesh.hpp"
 
 namespace thaw {
@@ -223,13 +224,18 @@ void setValues(FrameView& view, const FrameColumn* column, const fs::path& frame
   for (std::size_t i = 0; i < view.values.size(); i++) view.values[i] = lengthOfRow(*column, i);
 }
 
-/// Unwraps components across periodic sides, which would show their insides at the sides.
-void unwrapComponents(SurfaceFrame& frame, const PeriodicSides& sides) {
-  if (!sides.any()) return;
+/// Unwraps components across periodic sides, which would show their insides at the sides. Returns those that
+/// join their own images, and are cut.
+CutComponents unwrapComponents(SurfaceFrame& frame, const PeriodicSides& sides) {
+  CutComponents cuts;
+  if (!sides.any()) return cuts;
   for (const ComponentRows& c : rowsByComponent(frame)) {
     const UnwrappedComponent whole = unwrapComponent(frame, c.rows, sides);
     for (std::size_t k = 0; k < c.rows.size(); k++) frame.positions[c.rows[k]] = whole.positions[k];
+    for (std::size_t a = 0; a < 3; a++)
+      if (whole.selfJoined[a]) cuts[c.component] |= static_cast<std::uint8_t>(1u << a);
   }
+  return cuts;
 }
 
 /// Sets the least volumes of drops, and their velocities unless they are `moving`, from the particles of the
@@ -274,9 +280,13 @@ FrameView surfaceView(const fs::path& file, const std::string& field, const View
   const std::string name = field == "speed" ? "velocity" : field == "glow" ? "temperature" : field;
   SurfaceFrame frame = readSurfaceFrame(file.string(),
                                         [&](const std::string& n) { return n == name || n == "velocity"; });
-  unwrapComponents(frame, style.sides);
+  const CutComponents cuts = unwrapComponents(frame, style.sides);
   drawSpray(file, style.spray, frame);
+  CutSides cut = closeCutSides(frame, cuts, style.sides);
   FrameView view;
+  view.cutAxes = std::move(cut.axes);
+  view.faces = std::move(cut.faces);
+  view.sides = style.sides;
   view.time = frame.time;
   view.positions = inSinglePrecision(frame.positions);
   view.normals = std::move(frame.normals);

@@ -108,9 +108,10 @@ Image sheetWithBar(std::span<const Image> cells, std::span<const std::string> la
 Image pictureOf(const FrameView& frame, const FrameJob& job, const RenderStyle& style, int threads) {
   if (!frame.normals.empty()) {
     SurfelStyle surfels{frame.paint, job.radius > 0 ? job.radius : SurfelStyle{}.discs, threads};
-    return renderSurfels({frame.positions, frame.normals, frame.radii, frame.values, frame.colours,
-                          frame.components, frame.faces, frame.solids, frame.solidFaces},
-                         style, surfels);
+    return renderSurfels(
+        {frame.positions, frame.normals, frame.radii, frame.values, frame.colours, frame.components,
+         frame.faces, frame.solids, frame.solidFaces, frame.cutAxes, frame.sides},
+        style, surfels);
   }
   std::vector<float> radii = frame.sizes.empty() ? std::vector<float>{1} : frame.sizes;
   for (float& r : radii) r *= (job.radius > 0 ? job.radius : 0.7f) * style.spacing;

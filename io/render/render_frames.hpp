@@ -30,6 +30,9 @@ struct FrameView {
   std::vector<std::uint32_t> components;
   /// Triangles between rows, counter-clockwise seen from the front; these rows are no discs.
   std::vector<std::array<std::uint32_t, 3>> faces;
+  std::vector<std::uint8_t> cutAxes;  ///< per row: periodic axes, as bits, at whose sides it ends; may be
+                                      ///< shorter
+  PeriodicSides sides;
   SurfelPaint paint = SurfelPaint::Plain;
   std::vector<std::array<Vec3f, 3>> solids;  ///< triangles that cast the shadows of the last `solidFaces`
                                              ///< faces

@@ -5,19 +5,15 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "core/geometry/marching/cube_triangles.hpp"
 #include "core/geometry/meshes/mesh_edges.hpp"
 #include "core/math/hash_random.hpp"
-#include "io/surface_mesh/cube_triangles.hpp"
 
 namespace thaw {
 
 namespace {
 
 using Corner = BandGrid::Corner;
-
-/// Smallest distance of a crossing from the ends of its edge, as a fraction of it, so that triangles do not
-/// degenerate.
-constexpr double nearestToCorner = 0.02;
 
 struct KeyHash {
   std::size_t operator()(std::uint64_t key) const { return mixBits(key); }
@@ -41,7 +37,7 @@ struct BandMarcher {
   struct EdgeValues {
     Vec3d p, along;
     double from, to;
-    double linear() const { return std::clamp(from / (from - to), nearestToCorner, 1 - nearestToCorner); }
+    double linear() const { return crossing(from, to); }
   };
 
   /// Returns the surface between two corners, interpolated. It is unknown if a corner has no slot, or normals
@@ -66,8 +62,7 @@ struct BandMarcher {
       if (!here.known) break;
       if ((here.value < 0) == (from < 0)) low = t, from = here.value;
       else high = t, to = here.value;
-      t = std::clamp(low + (high - low) * (from != to ? from / (from - to) : 0.5), nearestToCorner,
-                     1 - nearestToCorner);
+      t = awayFromCorners(low + (high - low) * (from != to ? from / (from - to) : 0.5));
     }
     if (!here.known) here = planes.at(p);  // one of the ends has surfels in reach
     if (!here.known) here = planes.at(p + along);
@@ -126,18 +121,13 @@ struct BandMarcher {
   /// own: corner with the first slot of the cube, by which it is marched once; 8: cube without slots.
   void marchCubeOf(const Corner& low, int own) {
     double value[8];
-    unsigned inside = 0;
     for (int c = 0; c < 8; c++) {
       const std::int32_t slot = grid.at(cornerOf(low, c));
       if (slot >= 0 && c < own) return;
       value[c] = valueOf(slot);
-      if (value[c] < 0) inside |= 1u << c;
     }
-    for (const auto& t : cubeTriangles(static_cast<std::uint8_t>(inside))) {
-      const std::uint32_t a = vertex(low, value, t[0]), b = vertex(low, value, t[1]),
-                          c = vertex(low, value, t[2]);
-      if (a != b && b != c && c != a) out.mesh.mesh.triangles.push_back({a, b, c});  // not along a cut
-    }
+    const auto vertexOn = [&](const AxisEdge& e) { return vertex(low, value, e); };
+    marchCube(value, vertexOn, out.mesh.mesh.triangles);  // triangles along a cut are left out
   }
 
   /// Cubes beyond a cut, where the inside may be far from all surfels.

@@ -7,8 +7,7 @@
 #include <map>
 #include <tuple>
 
-#include "core/geometry/basic/signed_distance.hpp"
-#include "core/geometry/builtin/polygonise.hpp"
+#include "core/geometry/marching/polygonise.hpp"
 #include "core/geometry/meshes/mesh_normals.hpp"
 #include "core/geometry/shapes/shape_mesh.hpp"
 #include "io/image/image.hpp"
@@ -67,13 +66,7 @@ TriangleMesh meshOf(const Obstacle& obstacle, const Domain& domain) {
     const double away = distance->distance({}, &normal);
     return planeMesh(normal, -away, domain);
   }
-  const double largest = std::max({size.x, size.y, size.z});
-  if (!isCut(obstacle.shape)) return shapeMesh(obstacle.shape, 2e-3 * largest, meshLoader());
-  constexpr double cells = 80;
-  const double edge = largest / cells;
-  const Vec3d margin{2 * edge, 2 * edge, 2 * edge};
-  return polygonise([&](const Vec3d& x) { return distance->distanceWithin(x, 2 * edge); },
-                    {box.min - margin, box.max + margin}, edge);
+  return boundedMesh(obstacle.shape, *distance);
 }
 
 /// Returns a mesh with normals, whose vertices are separate where edges are sharp.
@@ -102,6 +95,18 @@ ComponentMesh withNormals(const TriangleMesh& mesh, const Vec3f& colour) {
 }
 
 }  // namespace
+
+TriangleMesh boundedMesh(const Shape& shape, const SignedDistance& distance) {
+  const Bounds box = distance.bounds();
+  const Vec3d size = box.max - box.min;
+  const double largest = std::max({size.x, size.y, size.z});
+  if (!isCut(shape)) return shapeMesh(shape, 2e-3 * largest, meshLoader());
+  constexpr double cells = 80;
+  const double edge = largest / cells;
+  const Vec3d margin{2 * edge, 2 * edge, 2 * edge};
+  return polygonise([&](const Vec3d& x) { return distance.distanceWithin(x, 2 * edge); },
+                    {box.min - margin, box.max + margin}, edge);
+}
 
 ComponentMesh obstacleMesh(const Obstacle& obstacle, const Domain& domain) {
   const Rgb c = rgbOf(obstacle.colour);

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Triangles of obstacles.
 #pragma once
+#include "core/geometry/basic/signed_distance.hpp"
 #include "core/scene/scene.hpp"
 #include "io/surface_mesh/surface_mesh.hpp"
 
 namespace thaw {
 
+/// Returns the surface of a bounded shape (m). Differences and intersections are polygonised; other shapes
+/// are exact up to a sag of 0.2 % of their size.
+TriangleMesh boundedMesh(const Shape& shape, const SignedDistance& distance);
+
 /// Returns the surface of an obstacle at rest (m) with normals, whose vertices are separate where edges are
-/// sharp. A plane ends at the sides of the domain. Differences and intersections are polygonised; other
-/// shapes are exact up to a sag of 0.2 % of their size. Throws like makeSignedDistance.
+/// sharp. A plane ends at the sides of the domain, other shapes are as in boundedMesh. Throws like
+/// makeSignedDistance.
 ComponentMesh obstacleMesh(const Obstacle& obstacle, const Domain& domain);
 
 }  // namespace thaw

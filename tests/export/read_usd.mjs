@@ -97,6 +97,29 @@ const lid = samples(specsByPath, `/${root}/lid`, 'xformOp:transform').values;
 assert.equal(lid.length, meshes.length);
 lid.forEach((matrix, k) => assert.ok(Math.abs(matrix[14] - 0.01 * k) < 1e-6, 'height of the lid'));
 
+/// Compares numbers of a prim with expected ones.
+function isNear(path, attribute, expected) {
+  const spec = specsByPath[`/${root}/${path}.${attribute}`];
+  assert.ok(spec, `three.js finds no ${path}.${attribute}`);
+  const found = spec.fields.default,
+    values = typeof found === 'number' ? [found] : Array.from(found);
+  [expected].flat().forEach((wanted, k) =>
+    assert.ok(
+      wanted === undefined || Math.abs(values[k] - wanted) < 1e-5,
+      `${path}.${attribute}: ${values[k]}`,
+    ),
+  );
+}
+const half = Math.SQRT1_2; // lights shine along their -z axis, the third row
+isNear('light', 'xformOp:transform', [...Array(8), half, 0, half, 0, 0, 0, 0, 1]);
+isNear('light', 'inputs:color', [1, 0.86 / 0.88, 0.82 / 0.88]);
+isNear('light', 'inputs:intensity', 0.88 * Math.PI);
+isNear('light', 'inputs:angle', 4);
+isNear('light_2', 'xformOp:transform', [...Array(8), 0, -1, 0, 0, 0, 0, 0, 1]);
+isNear('light_2', 'inputs:color', [1, 0, 0]);
+isNear('light_2', 'inputs:intensity', 0.44 * Math.PI);
+isNear('sky', 'inputs:intensity', 0.5 * 0.58);
+
 for (const file of [crateFile, textFile]) {
   const scene = new USDLoader().parse(bytesOf(file).buffer);
   const found = {};
@@ -115,7 +138,7 @@ linesOf(crate).forEach((line, k) => {
   assert.ok(line === other, `crate and text differ: ${line.slice(0, 200)} | ${other.slice(0, 200)}`);
 });
 for (const part of ['def Mesh "surface"', 'def Points "particles"', 'def Camera "camera"',
-    'primvars:displayColor'])
+    'primvars:displayColor', 'def DistantLight "light"', 'def DistantLight "light_2"', 'def DomeLight "sky"'])
   assert.ok(crate.includes(part), part);
 const first = /point3f\[\] points\.timeSamples = \{\s*0: \[\(([^)]*)\)/.exec(crate)[1].split(',').map(Number);
 ['x', 'y', 'z'].forEach((name, c) =>

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/geometry/basic/triangle_mesh.hpp"
-#include "core/geometry/builtin/polygonise.hpp"
+#include "core/geometry/marching/polygonise.hpp"
 #include "core/geometry/trees/triangle_bvh.hpp"
 #include "core/math/hash_random.hpp"
 

@@ -107,6 +107,7 @@ export class App {
     if (!domain) return;
     const box = new THREE.Box3(new THREE.Vector3(...domain.min), new THREE.Vector3(...domain.max));
     this.stage.setDomain(box);
+    this.stage.setLighting(this.scene.lighting);
     const problems = this.stage.obstacles.set(await getPacket('obstacles'), box);
     this.stage.marks.set(await getPacket('marks'));
     this.notices.set('obstacles', problems.map((o) => `obstacle ${o.name}: ${o.problem}`).join('; '), true);

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/geometry/builtin/blended_shapes.hpp"
-#include "core/geometry/builtin/polygonise.hpp"
+#include "core/geometry/marching/polygonise.hpp"
 
 namespace thaw {
 namespace {

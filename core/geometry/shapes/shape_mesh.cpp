@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/geometry/basic/shape_error.hpp"
-#include "core/geometry/builtin/polygonise.hpp"
+#include "core/geometry/marching/polygonise.hpp"
 #include "core/geometry/shapes/combined.hpp"
 #include "core/geometry/shapes/placed_mesh.hpp"
 

@@ -24,7 +24,7 @@ using Vec2f = std::array<float, 2>;
 /// Rows of a matrix that multiplies row vectors.
 using UsdMatrix = std::array<double, 16>;
 
-using UsdValue = std::variant<bool, float, double, UsdToken, std::string, Vec2f, UsdMatrix,
+using UsdValue = std::variant<bool, float, double, UsdToken, std::string, Vec2f, Vec3f, UsdMatrix,
                               std::vector<UsdToken>, std::vector<std::int32_t>, std::vector<std::int64_t>,
                               std::vector<float>, std::vector<Vec3f>, std::vector<Vec2f>>;
 

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 
 #include "io/export/texture_seams.hpp"
+#include "io/render/light/lights.hpp"
 
 namespace thaw {
 
@@ -164,6 +166,39 @@ UsdPrimSample cameraPrim(const RenderStyle& style, const UsdFile& file) {
   return std::move(maker.prim);
 }
 
+/// Adds a light of this radiance or irradiance as a colour, whose largest component is 1, and an intensity.
+void addIntensity(PrimMaker& maker, const Light& light) {
+  const float most = std::max({light.x, light.y, light.z});
+  maker.add("color3f", "inputs:color", most > 0 ? light / most : Light{1, 1, 1});
+  maker.add("float", "inputs:intensity", most);
+}
+
+/// Returns a light that shines along its -z axis. White surfaces that reflect diffusely are then as bright as
+/// in pictures: the irradiance is pi times their radiance.
+UsdPrimSample lightPrim(const LightSource& source, const UsdFile& file) {
+  PrimMaker maker{file, {"light", "DistantLight", {}}, true};
+  const Light& c = source.colour;
+  addIntensity(
+      maker, static_cast<float>(std::numbers::pi) * Light{sunTint.x * c.x, sunTint.y * c.y, sunTint.z * c.z});
+  maker.add("bool", "inputs:normalize", true);  // the intensity is an irradiance
+  maker.add("float", "inputs:angle", static_cast<float>(2 * source.radius * 180 / std::numbers::pi));
+  const Vec3d z = normalized(wide(source.toLight)),
+              x = normalized(cross(std::abs(z.z) < 0.9 ? Vec3d{0, 0, 1} : Vec3d{1, 0, 0}, z)),
+              y = cross(z, x);
+  addTransform(maker, {x.x, x.y, x.z, 0, y.x, y.y, y.z, 0, z.x, z.y, z.z, 0, 0, 0, 0, 1}, false);
+  return std::move(maker.prim);
+}
+
+void addLights(const RenderStyle& style, const UsdFile& file, std::vector<UsdPrimSample>& prims) {
+  const View view = viewOf(style.camera, style.width, style.height);
+  for (const LightSource& source : lightSources(style.lighting, view))
+    prims.push_back(lightPrim(source, file));
+  if (!(style.lighting.ambient > 0)) return;
+  PrimMaker sky{file, {"sky", "DomeLight", {}}, true};
+  addIntensity(sky, style.lighting.ambient * skyTint);
+  prims.push_back(std::move(sky.prim));
+}
+
 /// Gives prims different names.
 void separateNames(std::vector<UsdPrimSample>& prims) {
   std::set<std::string> used;
@@ -178,6 +213,7 @@ void separateNames(std::vector<UsdPrimSample>& prims) {
 UsdFrame usdFrameOf(const ExportScene& scene, const UsdFile& file) {
   UsdFrame frame{scene.time, {}};
   frame.prims.push_back(cameraPrim(scene.style, file));
+  addLights(scene.style, file, frame.prims);
   for (const ExportObject& object : scene.objects) frame.prims.push_back(meshPrim(object, file));
   if (scene.points) frame.prims.push_back(pointsPrim(*scene.points, file));
   separateNames(frame.prims);

@@ -31,8 +31,26 @@ struct DrawnSurfels {
   std::vector<Light> colours;
   std::vector<std::uint32_t> components;
   std::vector<std::array<std::uint32_t, 3>> faces;
-  std::size_t casting = 0;           // faces that cast shadows; those of solids follow
-  std::vector<std::uint8_t> corner;  // corner of a face: no disc of its own; empty without faces
+  std::size_t casting = 0;            // faces that cast shadows; those of solids follow
+  std::vector<std::uint8_t> corner;   // corner of a face: no disc of its own; empty without faces
+  std::vector<std::uint8_t> cutAxes;  // axes, as bits, at whose sides it ends
+  std::array<Vec3f, 2> sides;         // lower and upper
+  /// Calls use(normal, height of the side over the centre) for each side where a surfel ends.
+  template<class Use> void forCuts(std::size_t i, Use use) const {
+    for (int a = 0; a < 3; a++) {
+      if (!(cutAxes[i] >> a & 1)) continue;
+      Vec3f normal{};
+      normal[a] = 1;
+      use(normal, sides[1][a] - positions[i][a]);
+      use(-normal, positions[i][a] - sides[0][a]);
+    }
+  }
+  /// Returns the radius of the part of a disc that casts shadows, which ends at the sides; below 0: none.
+  float castingRadius(std::size_t i) const {
+    float radius = casterScale * radii[i];
+    forCuts(i, [&](const Vec3f&, float height) { radius = std::min(radius, height); });
+    return radius;
+  }
   bool isDisc(std::size_t i) const { return corner.empty() || !corner[i]; }
   Discs discs() const { return {positions, radii, normals}; }
 };
@@ -74,6 +92,7 @@ class Painter {
 
 DrawnSurfels drawable(const SurfelInput& in, const RenderStyle& style, const SurfelStyle& how) {
   DrawnSurfels s;
+  s.sides = {single(in.sides.min), single(in.sides.min + in.sides.period)};
   constexpr std::uint32_t gone = 0xffffffffu;
   std::vector<std::uint32_t> now(in.faces.empty() ? 0 : in.positions.size(), gone);
   const Painter paint(in, style, how.paint);
@@ -86,6 +105,7 @@ DrawnSurfels drawable(const SurfelInput& in, const RenderStyle& style, const Sur
     s.normals.push_back(n / std::sqrt(l2));
     s.radii.push_back(r);
     s.colours.push_back(paint(i));
+    s.cutAxes.push_back(i < in.cutAxes.size() ? in.cutAxes[i] : std::uint8_t{0});
     if (!in.components.empty()) s.components.push_back(in.components[i]);
   }
   if (!in.faces.empty()) s.corner.assign(s.positions.size(), 0);
@@ -118,7 +138,8 @@ Casters castersOf(const DrawnSurfels& s, std::span<const std::array<Vec3f, 3>> s
     all.radii.push_back(radius);
   };
   for (std::size_t i = 0; i < s.positions.size(); i++)
-    if (s.isDisc(i)) add(s.positions[i], s.normals[i], casterScale * s.radii[i]);
+    if (const float radius = s.castingRadius(i); s.isDisc(i) && radius > 0)
+      add(s.positions[i], s.normals[i], radius);
   for (const auto& f : std::span(s.faces).first(s.casting)) {
     const Vec3f &a = s.positions[f[0]], &b = s.positions[f[1]], &c = s.positions[f[2]],
                 n = cross(b - a, c - a), middle = (a + b + c) / 3.0f;
@@ -167,10 +188,18 @@ SplatDiscs splatDiscs(const DrawnSurfels& s, const View& view) {
   return out;
 }
 
-/// Returns clips for undivided discs, which end at edges. Parts of divided discs lie on the surface and need
-/// no clips.
-DiscClips clipsOfUndivided(const DrawnSurfels& s, const SplatDiscs& parts,
-                           std::span<const std::uint8_t> seen) {
+/// Adds clips at the sides that a part of a disc crosses.
+void addCuts(const DrawnSurfels& s, const SplatDiscs& parts, std::size_t part, std::vector<DiscClip>& to) {
+  const std::uint32_t i = parts.of[part];
+  s.forCuts(i, [&](const Vec3f& normal, float height) {
+    const float over = height - dot(parts.positions[part] - s.positions[i], normal);
+    if (over < parts.radii[part]) to.push_back({normal, over, {}, std::numeric_limits<float>::infinity()});
+  });
+}
+
+/// Returns clips at the sides where surfels end, and those of undivided discs, which end at edges. Parts of
+/// divided discs lie on the surface and need no clips of edges.
+DiscClips clipsOfParts(const DrawnSurfels& s, const SplatDiscs& parts, std::span<const std::uint8_t> seen) {
   std::vector<std::uint8_t> wanted(s.positions.size(), 0);
   const auto whole = [&](std::size_t k) { return parts.radii[k] == parts.whole[parts.of[k]]; };
   for (std::size_t k = 0; k < seen.size(); k++)
@@ -182,6 +211,7 @@ DiscClips clipsOfUndivided(const DrawnSurfels& s, const SplatDiscs& parts,
     if (whole(k))
       clips.list.insert(clips.list.end(), of.list.begin() + of.first[parts.of[k]],
                         of.list.begin() + of.first[parts.of[k] + 1]);
+    if (seen[k]) addCuts(s, parts, k, clips.list);
   }
   clips.first.push_back(static_cast<std::uint32_t>(clips.list.size()));
   return clips;
@@ -198,9 +228,9 @@ std::vector<SurfelShade> lightSurfels(const DrawnSurfels& s, std::span<const std
       const float sky = lights.lights.ambient * skySeen(lights, backdrop, s.positions[i], n, s.radii[i]);
       const Light &c = s.colours[i], &sun = lights.lights.source.colour,
                   more = moreLight(lights.lights, s.positions[i], n, s.radii[i]);
-      const Light diffuse{0.88f * c.x, 0.86f * c.y, 0.82f * c.z};
+      const Light diffuse{sunTint.x * c.x, sunTint.y * c.y, sunTint.z * c.z};
       shades[i] = {n,
-                   Light{0.52f * sky * c.x, 0.54f * sky * c.y, 0.58f * sky * c.z} +
+                   Light{skyTint.x * sky * c.x, skyTint.y * sky * c.y, skyTint.z * sky * c.z} +
                        Light{diffuse.x * more.x, diffuse.y * more.y, diffuse.z * more.z},
                    {diffuse.x * sun.x, diffuse.y * sun.y, diffuse.z * sun.z},
                    lightSeen(lights.sun, s.positions[i], n, s.radii[i])};
@@ -341,7 +371,7 @@ Image renderSurfels(const SurfelInput& input, const RenderStyle& style, const Su
   const std::vector<SurfelShade> light = lightSurfels(surfels, visibleSurfels(surfels, parts, seen, faces),
                                                       lights, backdrop, how.threads);
   const std::vector<SurfelShade> shades = mixedShades(parts, light);
-  const DiscClips clips = clipsOfUndivided(surfels, parts, seen);
+  const DiscClips clips = clipsOfParts(surfels, parts, seen);
 
   const Encoder encode;
   Image image(style.width, style.height);

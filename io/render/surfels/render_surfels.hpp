@@ -7,6 +7,7 @@
 #include <span>
 
 #include "io/render/particles/render.hpp"
+#include "io/surface_mesh/unwrap_component.hpp"
 
 namespace thaw {
 
@@ -24,6 +25,9 @@ struct SurfelInput {
   /// Triangles that cast the shadows of the last `solidFaces` faces, fewer and larger than these.
   std::span<const std::array<Vec3f, 3>> solids{};
   std::size_t solidFaces = 0;
+  /// Per row: axes, as bits, at whose sides it ends; rows behind the last one end nowhere.
+  std::span<const std::uint8_t> cutAxes{};
+  PeriodicSides sides{};
 };
 
 /// Source of colours. Plain: none. Values: values by the style's colours. Surface: the surface's own colours.

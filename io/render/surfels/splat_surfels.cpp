@@ -79,6 +79,7 @@ template<class Hit>
 void forSamples(const CameraDisc& d, std::span<const DiscClip> clips, const View& view, const Box& box,
                 const SurfelTile& tile, Hit hit) {
   const float over = 1 / view.focal, plane = dot(d.normal, d.centre), r2 = d.radius * d.radius;
+  const bool isCentreKept = std::ranges::none_of(clips, [](const DiscClip& c) { return isClipped(c, {}); });
   const float screenX = view.centreX + view.focal * d.centre.x / d.centre.z,
               screenY = view.centreY - view.focal * d.centre.y / d.centre.z;
   const int x0 = std::max(box.x0, tile.x), x1 = std::min(box.x1, tile.x + tile.width - 1);
@@ -97,7 +98,7 @@ void forSamples(const CameraDisc& d, std::span<const DiscClip> clips, const View
         hit(row + x, t, kept);
       } else {
         const float dx = sx - screenX;
-        if (dx * dx + dy * dy < leastRadius * leastRadius) hit(row + x, d.centre.z, true);
+        if (dx * dx + dy * dy < leastRadius * leastRadius) hit(row + x, d.centre.z, isCentreKept);
       }
     }
   }

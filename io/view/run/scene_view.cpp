@@ -7,14 +7,13 @@
 #include <numbers>
 
 #include "core/geometry/basic/signed_distance.hpp"
-#include "core/geometry/builtin/polygonise.hpp"
 #include "core/geometry/shapes/pose.hpp"
-#include "core/geometry/shapes/shape_mesh.hpp"
 #include "core/scene/modules.hpp"
 #include "io/hdf5/h5_file.hpp"
 #include "io/render/scene_job.hpp"
 #include "io/render/scene_marks.hpp"
 #include "io/scene/scene_for_all.hpp"
+#include "io/surface_mesh/obstacle_mesh.hpp"
 
 namespace thaw {
 namespace {
@@ -26,6 +25,25 @@ Json vectorJson(const Vec3d& v) { return {v.x, v.y, v.z}; }
 /// Returns red, green and blue, 0 to 255.
 Json colourJson(std::uint32_t colour) { return {colour & 255, colour >> 8 & 255, colour >> 16 & 255}; }
 
+Json colourJson(const Rgb& c) { return {c.r, c.g, c.b}; }
+Json colourJson(const std::optional<Rgb>& c) { return c ? colourJson(*c) : Json(nullptr); }
+
+/// Returns lights with their directions (unit vectors) and linear colours. Without lights the page has its
+/// own behind the camera.
+Json lightingJson(const Lighting& lighting) {
+  Json lights = Json::array();
+  const auto add = [&](const Vec3d& direction, const Vec3f& colour) {
+    lights.push_back({{"to_light", vectorJson(normalized(direction))}, {"colour", vectorJson(wide(colour))}});
+  };
+  if (lighting.sun) add(*lighting.sun, {1, 1, 1});
+  for (const DistantLight& l : lighting.lights) add(l.direction, l.colour);
+  return {
+      {"lights", lights},
+      {"ambient", lighting.ambient},
+      {"background", colourJson(lighting.background)},
+      {"background_top", colourJson(lighting.backgroundTop ? lighting.backgroundTop : lighting.background)}};
+}
+
 const char* sideName(Side side) {
   return side == Side::Wall ? "wall" : side == Side::Periodic ? "periodic" : "open";
 }
@@ -34,24 +52,6 @@ std::string colourField(const Scene& scene) {
   if (!scene.output.colour.empty()) return scene.output.colour;
   if (modulesOf(scene).heat) return "temperature";
   return hasContinuum(scene) ? "speed" : "surface";
-}
-
-bool isCut(const Shape& shape) {
-  return shape.kind == ShapeKind::Difference || shape.kind == ShapeKind::Intersection ||
-         std::any_of(shape.parts.begin(), shape.parts.end(), isCut);
-}
-
-/// Returns the surface of a bounded shape. Cuts are polygonised, others are exact up to a small sag.
-TriangleMesh meshOf(const Shape& shape, const SignedDistance& distance) {
-  const Bounds box = distance.bounds();
-  const Vec3d size = box.max - box.min;
-  const double largest = std::max({size.x, size.y, size.z});
-  if (!isCut(shape)) return shapeMesh(shape, 2e-3 * largest, meshLoader());
-  constexpr double cells = 80;
-  const double edge = largest / cells;
-  const Vec3d margin{2 * edge, 2 * edge, 2 * edge};
-  return polygonise([&](const Vec3d& x) { return distance.distanceWithin(x, 2 * edge); },
-                    {box.min - margin, box.max + margin}, edge);
 }
 
 /// Adds a plane or the triangles of an obstacle. Vertices are numbered over all obstacles.
@@ -67,7 +67,7 @@ void addObstacle(const Obstacle& obstacle, Json& entry, std::vector<float>& vert
     entry["plane"] = {{"point", vectorJson(-away * normal)}, {"normal", vectorJson(normal)}};
     return;
   }
-  const TriangleMesh mesh = meshOf(obstacle.shape, *distance);
+  const TriangleMesh mesh = boundedMesh(obstacle.shape, *distance);
   const auto start = static_cast<std::uint32_t>(vertices.size() / 3);
   for (const Vec3d& v : mesh.vertices)
     for (int a = 0; a < 3; a++) vertices.push_back(static_cast<float>(v[a]));
@@ -103,6 +103,7 @@ Json sceneView(const Scene& scene) {
     view["camera"] = {{"from", vectorJson(o.camera.from)},
                       {"at", vectorJson(o.camera.at)},
                       {"field_of_view_deg", o.camera.fieldOfView * 180 / std::numbers::pi}};
+  view["lighting"] = lightingJson(lightingOf(o));
   view["colour_min"] = o.colourMin ? Json(*o.colourMin) : Json(nullptr);
   view["colour_max"] = o.colourMax ? Json(*o.colourMax) : Json(nullptr);
   return view;

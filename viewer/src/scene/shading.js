@@ -14,6 +14,9 @@ export const shared = {
   cut: { value: new THREE.Vector4(0, 0, 0, 1) }, // x is hidden where dot(cut.xyz, x) > cut.w
   up: { value: new THREE.Vector3(0, 1, 0) }, // upward direction, in the camera's frame
   bright: { value: 1 }, // factor of the ambient light: 1 in the light theme, less in the dark
+  lights: { value: 0 }, // lights of the scene; 0: one behind the camera
+  toLight: { value: Array.from({ length: 8 }, () => new THREE.Vector3(0, 0, 1)) }, // in the camera's frame
+  lightColour: { value: Array.from({ length: 8 }, () => new THREE.Vector3(1, 1, 1)) }, // linear
 };
 
 export function setPalette(name) {
@@ -42,6 +45,8 @@ uniform vec2 range;
 uniform vec3 up, plain;
 uniform vec4 cut;
 uniform float bright;
+uniform int lights;
+uniform vec3 toLight[8], lightColour[8];
 
 vec3 linearOf(vec3 c) { return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c)); }
 vec3 srgbOf(vec3 c) {
@@ -58,12 +63,15 @@ vec3 labelColour(float k) {
 }
 /// albedo: sRGB; normal: towards the camera, in its frame; position: in its frame. Returns sRGB.
 vec3 shaded(vec3 albedo, vec3 normal, vec3 position) {
-  vec3 key = normalize(vec3(-0.35, 0.55, 0.76)), eye = normalize(-position);
-  float wrapped = max(0.0, (dot(normal, key) + 0.25) / 1.25);
+  vec3 key = lights > 0 ? toLight[0] : normalize(vec3(-0.35, 0.55, 0.76)), eye = normalize(-position);
   float sky = 0.5 + 0.5 * dot(normal, up);
-  vec3 light = bright * mix(vec3(0.26, 0.25, 0.24), vec3(0.50, 0.53, 0.57), sky) + 0.66 * wrapped;
-  float shine = pow(max(0.0, dot(normal, normalize(key + eye))), 48.0);
-  return srgbOf(linearOf(albedo) * light + 0.10 * shine);
+  vec3 light = bright * mix(vec3(0.26, 0.25, 0.24), vec3(0.50, 0.53, 0.57), sky);
+  if (lights == 0) light += 0.66 * max(0.0, (dot(normal, key) + 0.25) / 1.25);
+  for (int k = 0; k < lights; k++)
+    light += vec3(0.88, 0.86, 0.82) * lightColour[k] * max(0.0, dot(normal, toLight[k]));
+  vec3 shine = vec3(0.10 * pow(max(0.0, dot(normal, normalize(key + eye))), 48.0));
+  if (lights > 0) shine *= lightColour[0] * step(0.0, dot(normal, key));
+  return srgbOf(linearOf(albedo) * light + shine);
 }
 `;
 

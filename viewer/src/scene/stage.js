@@ -5,6 +5,7 @@ import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { DepthShade } from './depth_shade.js';
 import { DomainBox } from './domain.js';
 import { Layer } from './layers.js';
+import { Lighting } from './lighting.js';
 import { Marks } from './marks.js';
 import { Obstacles } from './obstacles.js';
 import { Picking } from './picking.js';
@@ -41,6 +42,7 @@ export class Stage {
     this.obstacles = new Obstacles();
     this.domain = new DomainBox();
     this.marks = new Marks();
+    this.lighting = new Lighting();
     this.scene.add(
       ...[...this.layers.values()].map((layer) => layer.group),
       this.obstacles.group,
@@ -48,6 +50,7 @@ export class Stage {
       this.domain.cut,
       this.marks.group,
       this.splats.mesh,
+      this.lighting.object,
     );
     this.box = new THREE.Box3(new THREE.Vector3(-1, -1, -1), new THREE.Vector3(1, 1, 1));
     this.background = new THREE.Color(0xffffff);
@@ -133,6 +136,7 @@ export class Stage {
     this.setPlanes();
     camera.updateMatrixWorld();
     shared.up.value.set(0, 0, 1).transformDirection(camera.matrixWorldInverse);
+    this.lighting.follow(camera);
     this.splats.draw(renderer, camera);
     renderer.setRenderTarget(shade.target);
     renderer.setClearColor(this.background, 1);
@@ -153,9 +157,15 @@ export class Stage {
     this.camera.updateProjectionMatrix();
   }
 
+  setLighting(lighting) {
+    this.lighting.set(lighting);
+    this.setTheme(this.dark);
+  }
+
   setTheme(dark) {
+    this.dark = dark;
     this.background.set(dark ? 0x14171b : 0xf4f6f8);
-    shared.bright.value = dark ? 0.8 : 1;
+    shared.bright.value = (dark ? 0.8 : 1) * this.lighting.ambient;
     const line = dark ? 0x5d6975 : 0x8a96a3;
     this.domain.material.color.set(line);
     this.touch();

@@ -48,8 +48,8 @@ int holesIn(const SurfelSamples& s, RenderStyle style) {
   for (int x = 0; x < image.width; x++) reach(x, 0), reach(x, image.height - 1);
   for (int y = 0; y < image.height; y++) reach(0, y), reach(image.width - 1, y);
   for (std::size_t k = 0; k < queue.size(); k++)
-    for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
-      reach(queue[k].first + dx, queue[k].second + dy);
+    for (int dy = -1; dy <= 1; dy++)  // diagonals, too: a notch of the outline is not enclosed
+      for (int dx = -1; dx <= 1; dx++) reach(queue[k].first + dx, queue[k].second + dy);
   int holes = 0, bodies = 0;
   for (int y = 0; y < image.height; y++)
     for (int x = 0; x < image.width; x++)

@@ -9,8 +9,8 @@
 namespace thaw {
 
 /// Returns the surface value(x) = 0 within the bounds: closed, outward, without duplicate vertices. It uses
-/// marching tetrahedra (DK91; six per cube around its diagonal, after Kuhn) on cubes of edge
-/// `spacing` (m). value < 0 inside. Requires: value > 0 on the border of the bounds.
+/// marching cubes (LC87) of edge `spacing` (m). value < 0 inside. Requires: value > 0 on the border of the
+/// bounds.
 TriangleMesh polygonise(const std::function<double(const Vec3d&)>& value, const Bounds& bounds,
                         double spacing);
 

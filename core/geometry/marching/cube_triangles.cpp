@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/surface_mesh/cube_triangles.hpp"
+#include "core/geometry/marching/cube_triangles.hpp"
 
 #include <bit>
 #include <cstddef>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/geometry/builtin/polygonise.hpp"
+#include "core/geometry/marching/polygonise.hpp"
 
 #include <cmath>
 #include <unordered_map>
 
-#include "core/geometry/builtin/marching_tetrahedra.hpp"
+#include "core/geometry/marching/cube_triangles.hpp"
 
 namespace thaw {
 
@@ -21,7 +21,7 @@ TriangleMesh polygonise(const std::function<double(const Vec3d&)>& value, const 
   std::vector<double> values(n[0] * n[1] * n[2]);
   for (std::size_t c = 0; c < values.size(); c++) values[c] = value(place(c));
   TriangleMesh mesh;
-  std::unordered_map<std::size_t, std::uint32_t> onEdge;  // by corner and direction
+  std::unordered_map<std::size_t, std::uint32_t> onEdge;  // by first corner and axis
   for (std::size_t k = 0; k + 1 < n[2]; k++)
     for (std::size_t j = 0; j + 1 < n[1]; j++)
       for (std::size_t i = 0; i + 1 < n[0]; i++) {
@@ -31,15 +31,15 @@ TriangleMesh polygonise(const std::function<double(const Vec3d&)>& value, const 
           corner[c] = i + (c & 1) + n[0] * (j + (c >> 1 & 1) + n[1] * (k + (c >> 2)));
           at[c] = values[corner[c]];
         }
-        const auto vertexOn = [&](const CubeEdge& e) {
-          const auto [vertex, fresh] = onEdge.try_emplace(
-              corner[e.from] * 8 + static_cast<std::size_t>(e.direction()),
-              static_cast<std::uint32_t>(mesh.vertices.size()));
-          const Vec3d p = place(corner[e.from]);
-          if (fresh) mesh.vertices.push_back(p + (place(corner[e.to]) - p) * crossing(at[e.from], at[e.to]));
+        const auto vertexOn = [&](const AxisEdge& e) {
+          const std::size_t from = corner[e.from], to = corner[e.to()];
+          const auto [vertex, fresh] = onEdge.try_emplace(3 * from + e.axis,
+                                                          static_cast<std::uint32_t>(mesh.vertices.size()));
+          const Vec3d p = place(from);
+          if (fresh) mesh.vertices.push_back(p + (place(to) - p) * crossing(values[from], values[to]));
           return vertex->second;
         };
-        marchCube(at, vertexOn, mesh);
+        marchCube(at, vertexOn, mesh.triangles);
       }
   return mesh;
 }
