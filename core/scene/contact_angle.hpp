@@ -2,6 +2,10 @@
 // Contact angles of liquids at walls.
 #pragma once
 #include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.hpp"
 
 namespace thaw {
 
@@ -10,5 +14,8 @@ inline double wettingOf(double angle) {
   const double wetting = std::cos(angle);
   return std::abs(wetting) < 1e-12 ? 0 : wetting;
 }
+
+/// Returns where a liquid meets walls at an angle other than 90 degrees, one text per place.
+std::vector<std::string> contactAnglesOf(const Scene& scene, const Material& liquid);
 
 }  // namespace thaw
