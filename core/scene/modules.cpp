@@ -178,6 +178,8 @@ void findLiquidLaws(Finder& f, const Material& x, const std::string& who) {
   if (viscous && n.viscosityCorrection) f.on(m.viscosityCorrection, "corrected viscosity", who);
   if (x.xsph > 0) f.on(m.xsph, "velocity smoothing (XSPH)", who);
   if (x.artificialViscosity > 0) f.on(m.artificialViscosity, "artificial viscosity", who);
+  if (x.surfaceTension > 0 && n.tension == TensionForm::Curvature)
+    f.on(m.artificialViscosity, "artificial viscosity", "the free surface of " + who);
   if (m.continuity && x.bulkDamping > 0) f.on(m.bulkDamping, "bulk damping", who);
   if (!x.evaporation.empty())
     f.on(m.evaporation, "evaporation", who + " loses mass at free surfaces of its liquid");
