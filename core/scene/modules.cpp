@@ -5,9 +5,9 @@
 #include <iterator>
 
 #include "core/scene/buoyancy.hpp"
-#include "core/scene/contact_angle.hpp"
 #include "core/scene/material_use.hpp"
 #include "core/scene/phase_density.hpp"
+#include "core/scene/tension_form.hpp"
 
 namespace thaw {
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/scene/contact_angle.hpp"
+#include "core/scene/tension_form.hpp"
 #include "core/simulation/step_context.hpp"
 #include "core/walls/wall_load.hpp"
 #include "io/run/run_state.hpp"

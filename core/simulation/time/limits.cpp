@@ -26,8 +26,7 @@ namespace {
 /// Largest artificial viscosity (Pa s) of a liquid.
 double artificialOf(const Scene& s, const Material& m, const LiquidMaterial& l) {
   const bool constant = m.viscosityTable.empty() && !hasFlowLaw(m);
-  return std::max(l.artificial,
-                  surfaceDamping(s, m, l.soundSpeed) - (constant ? m.viscosity.liquid : 0));
+  return std::max(l.artificial, surfaceDamping(s, m, l.soundSpeed) - (constant ? m.viscosity.liquid : 0));
 }
 
 /// Largest stiffness of liquids of these materials (Pa).

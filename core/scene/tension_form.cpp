@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/scene/contact_angle.hpp"
+#include "core/scene/tension_form.hpp"
 
 #include <algorithm>
 #include <cstdio>
