@@ -27,6 +27,10 @@ constexpr double leastExposure = 0.05, noise[2] = {0.4, 0.7}, meanNoise[2] = {0.
 /// evaporation is not 0 at any temperature.
 constexpr double mostCooling = 0.1;
 
+/// Carried relative density below which evaporation makes no tension. Vapour leaves from the surface, where
+/// the pressure is that of the gas: liquid that cannot follow at once leaves no void.
+constexpr double leastThinned = 0.99;
+
 double ramp(double x, const double (&between)[2]) {
   return std::clamp((x - between[0]) / (between[1] - between[0]), 0.0, 1.0);
 }
@@ -304,8 +308,8 @@ std::vector<std::uint32_t> removeVapour(const HeatView& v, const RecordContext& 
     const double thinned = left / p.mass[i];
     p.mass[i] = left;
     if (v.modules.continuity) {
-      const double compression = p.compression[i];
-      p.compression[i] = (1 + compression) * thinned - 1;
+      const double compression = p.compression[i], density = 1 + compression;
+      p.compression[i] = std::max(density * thinned, std::min(density, leastThinned)) - 1;
       energy += before - compressionOf(records, p, i, 1) - workOfLateKick(records, p, i, compression, dt);
     }
     v.ledger.left.potential.add(energy);

@@ -2,14 +2,12 @@
 #include "core/scene/modules.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <iterator>
-#include <numbers>
 
 #include "core/scene/buoyancy.hpp"
-#include "core/scene/contact_angle.hpp"
 #include "core/scene/material_use.hpp"
 #include "core/scene/phase_density.hpp"
+#include "core/scene/tension_form.hpp"
 
 namespace thaw {
 
@@ -97,30 +95,6 @@ void findHeat(Finder& f) {
   }
 }
 
-/// Returns true if there is a wall without a contact angle of its own.
-bool hasPlainWalls(const Scene& s) {
-  for (const auto& axis : s.domain.side)
-    if (axis[0] == Side::Wall || axis[1] == Side::Wall) return true;
-  return std::any_of(s.obstacles.begin(), s.obstacles.end(),
-                     [](const Obstacle& o) { return !(o.contactAngle < never); });
-}
-
-/// Activates contact angles if a liquid meets walls at one other than 90 degrees.
-void findAngles(Finder& f, const Material& liquid) {
-  const std::string who = "material " + quoted(liquid.name);
-  const auto text = [](double angle) {
-    char degrees[32];
-    std::snprintf(degrees, sizeof degrees, "%.4g", angle * (180 / std::numbers::pi));
-    return std::string(degrees) + " degrees";
-  };
-  if (wettingOf(liquid.contactAngle) != 0 && hasPlainWalls(f.s))
-    f.on(f.m.contactAngle, "contact angles", who + " meets walls at " + text(liquid.contactAngle));
-  for (const Obstacle& o : f.s.obstacles)
-    if (o.contactAngle < never)
-      f.on(f.m.contactAngle, "contact angles",
-           "liquids meet obstacle " + quoted(o.name) + " at " + text(o.contactAngle));
-}
-
 /// Returns true if everything is liquid of one material with constant parameters and no pair sum reads data
 /// other than positions and velocities. With heat, no sum may need volumes after the densities
 /// (terms/uniform_forces.hpp).
@@ -194,7 +168,8 @@ void findLiquidLaws(Finder& f, const Material& x, const std::string& who) {
   if (!liquid) return;
   if (m.surfaceEnergy && !x.surfaceTensionTable.empty())
     f.on(m.tensionTable, "tension by temperature", "the surface tension of " + who + " is a table");
-  if (m.surfaceEnergy && x.surfaceTension > 0) findAngles(f, x);
+  if (m.surfaceEnergy && x.surfaceTension > 0)
+    for (const std::string& where : contactAnglesOf(f.s, x)) f.on(m.contactAngle, "contact angles", where);
   if (hasFlowLaw(x)) f.on(m.flowLaw, "flow law", "the viscosity of " + who + " depends on the shear rate");
   const bool viscous = x.viscosity.solid > 0 || x.viscosity.liquid > 0 || !x.viscosityTable.empty() ||
                        hasFlowLaw(x);
@@ -203,6 +178,8 @@ void findLiquidLaws(Finder& f, const Material& x, const std::string& who) {
   if (viscous && n.viscosityCorrection) f.on(m.viscosityCorrection, "corrected viscosity", who);
   if (x.xsph > 0) f.on(m.xsph, "velocity smoothing (XSPH)", who);
   if (x.artificialViscosity > 0) f.on(m.artificialViscosity, "artificial viscosity", who);
+  if (x.surfaceTension > 0 && n.tension == TensionForm::Curvature)
+    f.on(m.artificialViscosity, "artificial viscosity", "the free surface of " + who);
   if (m.continuity && x.bulkDamping > 0) f.on(m.bulkDamping, "bulk damping", who);
   if (!x.evaporation.empty())
     f.on(m.evaporation, "evaporation", who + " loses mass at free surfaces of its liquid");

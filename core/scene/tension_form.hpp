@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which form of surface tension acts in a scene.
+// Which form of surface tension acts in a scene, and the contact angles of its liquids at walls.
 #pragma once
+#include <cmath>
+#include <string>
+#include <vector>
+
 #include "core/scene/modules.hpp"
 
 namespace thaw {
@@ -10,5 +14,14 @@ namespace thaw {
 inline bool actsByCurvature(const Numerics& numerics, const Modules& modules) {
   return modules.tension && numerics.tension == TensionForm::Curvature;
 }
+
+/// Cosine of a contact angle (rad); exactly 0 for 90 degrees, which needs no module.
+inline double wettingOf(double angle) {
+  const double wetting = std::cos(angle);
+  return std::abs(wetting) < 1e-12 ? 0 : wetting;
+}
+
+/// Returns where a liquid meets walls at an angle other than 90 degrees, one text per place.
+std::vector<std::string> contactAnglesOf(const Scene& scene, const Material& liquid);
 
 }  // namespace thaw

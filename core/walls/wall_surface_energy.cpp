@@ -6,7 +6,7 @@
 #include "core/fluid/laws/particle_pressure.hpp"
 #include "core/materials/rest_density.hpp"
 #include "core/materials/surface_tension.hpp"
-#include "core/scene/contact_angle.hpp"
+#include "core/scene/tension_form.hpp"
 
 namespace thaw {
 namespace {

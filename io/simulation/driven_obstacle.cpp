@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
+#include "core/scene/tension_form.hpp"
 #include "core/simulation/step_context.hpp"
 #include "core/walls/wall_load.hpp"
 #include "io/run/run_state.hpp"
@@ -45,12 +45,9 @@ bool mayHaveImages(const Domain& d, const Wall& wall) {
 
 /// Returns true if some liquid meets walls at an angle other than 90 degrees, with any form of tension.
 bool hasContactAngles(const Scene& s) {
-  const auto wets = [](const Material& m) {
-    return m.surfaceTension > 0 && m.contactAngle != std::numbers::pi / 2;
-  };
-  const auto has = [](const Obstacle& o) { return o.contactAngle < never; };
-  return std::any_of(s.materials.begin(), s.materials.end(), wets) ||
-         std::any_of(s.obstacles.begin(), s.obstacles.end(), has);
+  return std::any_of(s.materials.begin(), s.materials.end(), [&s](const Material& m) {
+    return m.surfaceTension > 0 && !contactAnglesOf(s, m).empty();
+  });
 }
 
 /// Throws std::invalid_argument if the scene has forces on obstacles that wallLoad() does not compute.

@@ -47,7 +47,6 @@ box = { size = [0.16, 0.16, 0.16] }
 place = { move = [0, 0, 0.15] }
 [numerics]
 retry_every = 10
-tension = "surface energy"   # carried density gains energy where particles evaporate within milliseconds
 [output]
 every = 0.01
 fields = ["temperature", "liquid", "velocity"]

@@ -122,6 +122,28 @@ TEST(SurfaceCurvature, AFilmOfOneLayerHasTheTensionOfBothFaces) {
   EXPECT_NEAR(pull, 2 * 1.0, 0.1 * 2);
 }
 
+/// Force (N) down on a particle above another one on a floor with this contact angle (rad).
+double pullAboveAFilm(double contactAngle) {
+  Scene s = emptyScene(0.1, {-2, -2, 0}, {2, 2, 2});
+  s.domain.side[2] = {Side::Wall, Side::Open};
+  s.materials.push_back(oil());
+  s.materials[0].contactAngle = contactAngle;
+  addBox(s, {-0.05, -0.05, 0}, {0.05, 0.05, 0.1});
+  addBox(s, {-0.05, -0.05, 0.1}, {0.05, 0.05, 0.2});
+  const Simulation run(withCurvature(s));
+  double pull = 0;
+  for (std::size_t i = 0; i < run.w.particles.owned; i++)
+    if (run.w.particles.position[i].z > 0.1) pull -= tensionOf(run.w, i).z;
+  return pull;
+}
+
+// Liquid above a film that wets a wall is too far from the wall to lose cohesion.
+TEST(SurfaceCurvature, LiquidAboveAFilmIsHeldAtAnyContactAngle) {
+  const double dry = pullAboveAFilm(pi);
+  EXPECT_GT(dry, 0);
+  EXPECT_NEAR(pullAboveAFilm(pi / 6) / dry, 1, 0.1);
+}
+
 // A drop of few particles has large errors of the curvature, but does not push itself.
 TEST(SurfaceCurvature, DropsOfFewParticlesStayTogetherAndInPlace) {
   for (const int side : {2, 3, 4}) {

@@ -19,7 +19,8 @@ constexpr double repulsiveBelow = 0.4, moment = 1.0 / 252 - repulsiveBelow / 168
 double cohesionAt(double q) { return q * (1 - q) * (1 - q) * (q - repulsiveBelow); }
 
 /// Returns the tension of a film over that of one between two gases: on a wall, one face is covered, which
-/// leaves gamma (1 - cos(theta)) of 2 gamma.
+/// leaves gamma (1 - cos(theta)) of 2 gamma. It acts between particles that are both on a wall. Liquid above
+/// them is held by its full cohesion, and spreads on them as on liquid.
 double uncovered(const CurvatureContext& x, std::uint32_t row) {
   const WallView& w = x.world;
   double least = 1;
@@ -73,7 +74,7 @@ void addThinCohesion(const CurvatureContext& x, const std::vector<FreeSurfaceEle
         const Vec3d d = p.position[j] - at;
         const double q = length(d) / h;
         if (q < 1 && q > 1e-6)
-          sum += d * (thin * std::min(own.y, other.y) * other.z * cohesionAt(q) / (q * h));
+          sum += d * (thin * std::max(own.y, other.y) * other.z * cohesionAt(q) / (q * h));
       }
       force[i] += sum * (own.z * scale);
     }

@@ -7,7 +7,8 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Artificial viscosity (M92) of approaching pairs; record: alpha c h rho / 10.
+/// Artificial viscosity (M92) of approaching pairs; record: alpha c h rho / 10. Arithmetic mean between
+/// liquids with tension, as the damping of a free surface acts on pairs across it (surface_damping.hpp).
 template<class Real, class Kernel> struct Artificial {
   using L = Lanes<Real>;
   const Record<Real>*positionVolume, *velocityViscosity, *surface;
@@ -32,7 +33,9 @@ template<class Real, class Kernel> struct Artificial {
                                (i.velocityViscosity.b - j.velocityViscosity.b) * dy +
                                (i.velocityViscosity.c - j.velocityViscosity.c) * dz,
                            L(0.0));
-    const L mean = L(2.0) * i.surface.c * j.surface.c / max(i.surface.c + j.surface.c, L(1e-30));
+    const L both = i.surface.c + j.surface.c,
+            mean = select(i.surface.a * j.surface.a > L(0.0), L(0.5) * both,
+                          L(2.0) * i.surface.c * j.surface.c / max(both, L(1e-30)));
     const L mu = mean * j.positionVolume.d * Kernel::slope(q2) * approach / (q2 + L(0.01));
     s.x += mu * dx;
     s.y += mu * dy;

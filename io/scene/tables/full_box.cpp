@@ -31,17 +31,8 @@ void chooseForFullBox(Scene& s, const OpenChoices& open) {
 
 namespace {
 
-/// Returns the least alpha of a liquid with tension by curvature: 0.1 for a speed of sound of ten times the
-/// capillary speed of the spacing. The force has no potential, and excites waves of a few spacings.
-double leastWithTension(const Scene& s, const Material& m, double soundSpeed) {
-  if (s.numerics.tension != TensionForm::Curvature || !(m.surfaceTension > 0)) return 0;
-  const double capillary = std::sqrt(m.surfaceTension / (m.density * s.spacing));
-  return 0.1 * std::min(1.0, 10 * capillary / soundSpeed);
-}
-
 /// Raises a liquid to an alpha of 0.02, the customary value for inviscid liquids (ACM12). An
-/// alpha equals a viscosity of alpha c h rho / 10. More with tension by curvature. Less in scenes with
-/// solids, since it drags coarse bodies.
+/// alpha equals a viscosity of alpha c h rho / 10. Less in scenes with solids, since it drags coarse bodies.
 void chooseArtificialViscosity(Scene& s, const OpenChoices& open) {
   const bool solids = std::any_of(s.materials.begin(), s.materials.end(),
                                   [](const Material& m) { return m.canBeSolid(); });
@@ -56,8 +47,7 @@ void chooseArtificialViscosity(Scene& s, const OpenChoices& open) {
                              : lowest == m.viscosityTable.end() ? m.viscosity.liquid
                                                                 : lowest->second;
     const double unit = liquids[k].soundSpeed * s.numerics.support * s.spacing * m.density / 10;
-    const double needed = std::max(least, leastWithTension(s, m, liquids[k].soundSpeed));
-    m.artificialViscosity = std::max(0.0, needed - viscosity / unit);
+    m.artificialViscosity = std::max(0.0, least - viscosity / unit);
   }
 }
 

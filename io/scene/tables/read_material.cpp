@@ -110,9 +110,8 @@ void readLiquid(TableReader& r, Material& m) {
   r.byScene().number(
       "artificial_viscosity", m.artificialViscosity, "", between(0, 10),
       "Monaghan's alpha for approaching pairs. Default with `density = \"continuity\"`: 0.02, or 0.005 in "
-      "scenes with a solid material, and at least sqrt(`surface_tension` / (`density` `spacing`)) / "
-      "`sound_speed`, at most 0.1, with `tension = \"curvature\"`; minus the alpha that is equivalent to the "
-      "liquid's viscosity. Default "
+      "scenes with a solid material, minus the alpha that is equivalent to the liquid's viscosity. "
+      "`tension = \"curvature\"` adds a viscosity at the free surface. Default "
       "with a form of `tension` other than \"curvature\", with `quality = \"preview\"`, or for one box of "
       "liquid in a periodic domain: 0");
 }
