@@ -46,27 +46,11 @@ double leverOf(const ContactSystem& s) {
   return lever > 0 && std::isfinite(lever) ? std::ldexp(1.0, std::ilogb(lever) + 1) : 1;
 }
 
-FixedUnit linearUnit(const ContactSystem& s, std::size_t row) { return {s.unitOf[row], 1 / s.unitOf[row]}; }
-
-FixedUnit angularUnit(const ContactSystem& s, std::size_t row) {
-  return {s.unitOf[row] * s.lever, 1 / (s.unitOf[row] * s.lever)};
-}
-
-void addToRow(ContactSystem& s, std::size_t row, const Vec3d& impulse, const Vec3d& arm) {
-  std::int64_t* words = &s.words[row * ContactSystem::rowWords];
-  const FixedUnit linear = linearUnit(s, row), angular = angularUnit(s, row);
-  const Vec3d turning = cross(arm, impulse);
-  for (int k = 0; k < 3; k++) {
-    addFixed(words + 2 * k, impulse[k], linear);
-    addFixed(words + 6 + 2 * k, turning[k], angular);
-  }
-}
-
 }  // namespace
 
 ContactSystem contactSystem(std::span<const PieceMotion> pieces, std::span<const RigidContact> contacts,
                             PieceExchange& exchange, Reducer& all) {
-  ContactSystem s{pieces, contacts, &exchange, &all, {}, 1, {}, {}};
+  ContactSystem s{pieces, contacts, &exchange, &all, {}, 1, {}, {}, {}, {}};
   const std::vector<std::int64_t> count = contactsPerRow(s);
   s.inertia.reserve(contacts.size());
   for (const RigidContact& c : contacts) {
@@ -74,7 +58,10 @@ ContactSystem contactSystem(std::span<const PieceMotion> pieces, std::span<const
     if (c.b != noPiece) m = m + static_cast<double>(count[c.b]) * pointMobility(pieces[c.b], c.armB);
     s.inertia.push_back(largestEigenvalue(m));
   }
+  for (std::size_t row = 0; row < count.size(); row++)
+    if (count[row] > 0) s.touching.push_back(static_cast<std::uint32_t>(row));
   s.lever = leverOf(s);
+  s.sums.resize(pieces.size());
   s.words.resize(pieces.size() * ContactSystem::rowWords);
   s.unitOf.assign(pieces.size(), 1);
   return s;
@@ -86,31 +73,32 @@ void setSpeed(ContactSystem& s, double speed) {
       s.unitOf[row] = FixedUnit::forScale(speed / s.pieces[row].inverseMass).unit;
 }
 
-void sumImpulses(ContactSystem& s, std::span<const Vec3d> impulses) {
-  std::fill(s.words.begin(), s.words.end(), 0);
-  for (std::size_t i = 0; i < s.contacts.size(); i++) {
-    const RigidContact& c = s.contacts[i];
-    addToRow(s, c.a, impulses[i], c.armA);
-    if (c.b != noPiece) addToRow(s, c.b, -impulses[i], c.armB);
-  }
+void clearImpulses(ContactSystem& s) {
+  for (const std::uint32_t row : s.touching) s.sums[row] = {};
+}
+
+void sumImpulses(ContactSystem& s) {
+  for (const std::uint32_t row : s.touching)
+    for (std::size_t k = 0; k < 6; k++)
+      s.sums[row].store(k, s.unitOf[row] * (k < 3 ? 1 : s.lever),
+                        &s.words[row * ContactSystem::rowWords + 2 * k]);
   s.exchange->sum(s.words, ContactSystem::rowWords);
 }
 
 RowImpulse rowImpulse(const ContactSystem& s, std::size_t row) {
   const std::int64_t* words = &s.words[row * ContactSystem::rowWords];
-  const FixedUnit linear = linearUnit(s, row), angular = angularUnit(s, row);
   RowImpulse sum;
   for (int k = 0; k < 3; k++) {
-    sum.linear[k] = fixedValue(words + 2 * k, linear);
-    sum.angular[k] = fixedValue(words + 6 + 2 * k, angular);
+    sum.linear[k] = fixedValue(words + 2 * k, s.unitOf[row]);
+    sum.angular[k] = fixedValue(words + 6 + 2 * k, s.unitOf[row] * s.lever);
   }
   return sum;
 }
 
-void applyImpulses(ContactSystem& s, std::span<const Vec3d> impulses, std::vector<RowChange>& rows) {
-  sumImpulses(s, impulses);
+void applyImpulses(ContactSystem& s, std::vector<RowChange>& rows) {
+  sumImpulses(s);
   rows.resize(s.pieces.size());
-  for (std::size_t row = 0; row < rows.size(); row++) {
+  for (const std::uint32_t row : s.touching) {
     const RowImpulse sum = rowImpulse(s, row);
     rows[row] = {s.pieces[row].inverseMass * sum.linear, s.pieces[row].inverseInertia * sum.angular};
   }

@@ -28,11 +28,13 @@ struct ContactSystem {
                                 ///< the contacts of a piece share its mass [TBV12]; 0: both sides are
                                 ///< prescribed
   double lever = 1;             ///< m, power of two above the largest distance of a contact from a centre
-  std::vector<std::int64_t> words;  ///< scratch, rowWords for each row
-  std::vector<double> unitOf;       ///< kg m/s, unit of the linear sums of each row
+  std::vector<std::uint32_t> touching;  ///< rows with contacts on some rank
+  std::vector<double> unitOf;           ///< kg m/s, unit of the linear sums of each row
+  std::vector<FixedSums<6>> sums;       ///< for each row, from contacts of this rank: impulse and angular
+                                        ///< impulse
+  std::vector<std::int64_t> words;      ///< the same over all holders, rowWords for each row
 
-  static constexpr std::size_t rowWords = 12;  ///< two words for each component of impulse and angular
-                                               ///< impulse
+  static constexpr std::size_t rowWords = 12;  ///< two words for each component
 };
 
 /// Prepares the system. Collective.
@@ -49,8 +51,22 @@ inline Vec3d relativeChange(const RigidContact& c, std::span<const RowChange> ro
   return u;
 }
 
-/// Sums the impulses (N s) of all contacts of each row into its words, over all holders. Collective.
-void sumImpulses(ContactSystem& system, std::span<const Vec3d> impulses);
+/// Begins the sums of impulses.
+void clearImpulses(ContactSystem& system);
+
+/// Adds the impulse (N s) of a contact to the sums of its rows.
+inline void addImpulse(ContactSystem& s, const RigidContact& c, const Vec3d& impulse) {
+  const auto add = [&](std::size_t row, const Vec3d& arm, const Vec3d& j) {
+    const Vec3d twist = cross(arm, j);
+    const double unit = s.unitOf[row], turn = unit * s.lever;
+    s.sums[row].add({j.x, j.y, j.z, twist.x, twist.y, twist.z}, {unit, unit, unit, turn, turn, turn});
+  };
+  add(c.a, c.armA, impulse);
+  if (c.b != noPiece) add(c.b, c.armB, -impulse);
+}
+
+/// Sums the added impulses over all holders of each row. Collective.
+void sumImpulses(ContactSystem& system);
 
 /// The summed impulse and angular impulse of a row.
 struct RowImpulse {
@@ -58,16 +74,22 @@ struct RowImpulse {
 };
 RowImpulse rowImpulse(const ContactSystem& system, std::size_t row);
 
-/// Changes of all rows by the impulses. Collective.
-void applyImpulses(ContactSystem& system, std::span<const Vec3d> impulses, std::vector<RowChange>& rows);
+/// Changes of all rows by the added impulses. Collective.
+void applyImpulses(ContactSystem& system, std::vector<RowChange>& rows);
 
 /// Exact sums of N numbers over contacts and ranks, in units of a shared scale.
 template<std::size_t N> struct ContactSums {
-  FixedUnit unit;
+  double units[N];
+  FixedSums<N> here{};
   std::array<std::int64_t, 2 * N> words{};
-  void add(std::size_t k, double x) { addFixed(&words[2 * k], x, unit); }
-  void sum(Reducer& all) { all.sum(words); }
-  double value(std::size_t k) const { return fixedValue(&words[2 * k], unit); }
+
+  explicit ContactSums(FixedUnit unit) { std::fill_n(units, N, unit.unit); }
+  void add(const double (&terms)[N]) { here.add(terms, units); }
+  void sum(Reducer& all) {
+    for (std::size_t k = 0; k < N; k++) here.store(k, units[k], &words[2 * k]);
+    all.sum(words);
+  }
+  double value(std::size_t k) const { return fixedValue(&words[2 * k], units[k]); }
 };
 
 }  // namespace thaw

@@ -2,10 +2,11 @@
 #include "core/rigid/contact/find_contacts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
-#include "core/neighbours/rows_around.hpp"
+#include "core/particles/row_span.hpp"
 #include "core/rigid/contact/element_pairs.hpp"
 #include "core/rigid/contact/reduce_contacts.hpp"
 #include "core/solid/bonds/weight.hpp"
@@ -37,13 +38,31 @@ bool mayClose(const ContactSearch& s, std::span<const PieceMotion> motion, const
   return c.gap < nearGap * s.scene.spacing + lookAhead * s.step * std::max(0.0, approach);
 }
 
+/// A surface particle, with what each comparison with it reads.
+struct SurfaceParticle {
+  PlacedElement element;
+  Vec3d centre;  ///< m, of the sphere
+  std::uint64_t piece;
+  std::uint32_t row;
+  std::uint8_t bend;  ///< result of bend()
+  bool asleep;
+};
+
 /// Surface particles of each cell.
 struct SurfaceCells {
-  std::vector<std::uint32_t> rows;
+  std::vector<SurfaceParticle> rows;
   CellTable cells;                       ///< cells with rows; first and count refer to `rows`
   std::vector<std::uint64_t> low, high;  ///< smallest and largest piece of each cell
   std::vector<std::uint8_t> awake;       ///< 1: a piece in the cell is awake
 };
+
+/// 2: edges and corners, 1: curved surfaces, 0: planes.
+std::uint8_t bend(const PlacedElement& e) { return e.round() ? 2 : e.plane() ? 0 : 1; }
+
+SurfaceParticle surfaceParticle(const ContactSearch& s, std::uint32_t i) {
+  const PlacedElement e = placed(s, i);
+  return {e, e.plane() ? e.position : e.centre(), s.particles.piece[i], i, bend(e), isAsleep(s, i)};
+}
 
 SurfaceCells surfaceCells(const ContactSearch& s) {
   SurfaceCells t;
@@ -53,7 +72,7 @@ SurfaceCells surfaceCells(const ContactSearch& s) {
     bool awake = false;
     for (std::uint32_t i = s.cells.first[c]; i < s.cells.first[c] + s.cells.count[c]; i++) {
       if (!hasSurface(s.particles, i)) continue;
-      t.rows.push_back(i);
+      t.rows.push_back(surfaceParticle(s, i));
       low = std::min(low, s.particles.piece[i]);
       high = std::max(high, s.particles.piece[i]);
       awake = awake || !isAsleep(s, i);
@@ -69,25 +88,44 @@ SurfaceCells surfaceCells(const ContactSearch& s) {
   return t;
 }
 
-/// Lists the rows around a cell; returns true if they all belong to one piece, or to sleeping ones.
-bool nothingToTouch(const SurfaceCells& t, std::size_t c, std::vector<RowSpan>& ranges) {
-  rowsAround(t.cells, t.cells.key[c], ranges);
-  std::uint64_t low = t.low[c], high = t.high[c];
-  bool awake = t.awake[c] != 0;
-  for (const RowSpan& r : ranges) {
-    const auto at = std::lower_bound(t.cells.first.begin(), t.cells.first.end(), r.begin) -
-                    t.cells.first.begin();
-    low = std::min(low, t.low[static_cast<std::size_t>(at)]);
-    high = std::max(high, t.high[static_cast<std::size_t>(at)]);
-    awake = awake || t.awake[static_cast<std::size_t>(at)] != 0;
+/// The cells around one cell after the other, ascending by key. The first cell of each row of three ascends,
+/// too, so no search is needed.
+class CellsAround {
+ public:
+  explicit CellsAround(const SurfaceCells& t) : t_(t) {}
+
+  /// Lists the rows around cell c; returns true if they all belong to one piece, or to sleeping ones.
+  bool nothingToTouch(std::size_t c, std::vector<RowSpan>& ranges) {
+    const std::vector<std::uint64_t>& key = t_.cells.key;
+    const Vec3i at = cellOfKey(key[c]);
+    std::uint64_t low = t_.low[c], high = t_.high[c];
+    bool awake = false;
+    ranges.clear();
+    for (std::size_t n = 0; n < next_.size(); n++) {
+      const int y = at.y + static_cast<int>(n) % 3 - 1, z = at.z + static_cast<int>(n) / 3 - 1;
+      const std::uint64_t first = cellKey({at.x - 1, y, z}), last = cellKey({at.x + 1, y, z});
+      std::size_t& k = next_[n];
+      while (k < key.size() && key[k] < first) k++;
+      for (std::size_t m = k; m < key.size() && key[m] <= last; m++) {
+        ranges.push_back({t_.cells.first[m], t_.cells.first[m] + t_.cells.count[m]});
+        low = std::min(low, t_.low[m]);
+        high = std::max(high, t_.high[m]);
+        awake = awake || t_.awake[m] != 0;
+      }
+    }
+    return low == high || !awake;
   }
-  return low == high || !awake;
-}
+
+ private:
+  const SurfaceCells& t_;
+  std::array<std::size_t, 9> next_{};  ///< first cell of each row of three that is not below it
+};
 
 struct Search {
   const ContactSearch& in;
   std::span<const PieceMotion> motion;
   Periods periods;
+  std::vector<double> rimSpeed;  ///< m/s, for each row: bound of the speed of its contacts about its centre
   std::vector<FoundContact> found;
 };
 
@@ -108,41 +146,92 @@ FoundContact startOf(const Search& s, std::uint32_t i, const ElementContact& e) 
 
 /// A particle that another one may touch.
 struct Candidate {
-  std::uint32_t row;
-  PlacedElement element;
+  const SurfaceParticle* particle;
   std::optional<ElementContact> contact;
-  double beyond = 0;  ///< m, distance of the point of contact from the face that the element belongs to
+  double beyond = 0;      ///< m, distance of the point of contact from the face that the element belongs to
+  std::uint32_t bin = 0;  ///< directionBin of the normal of the contact
+
+  const PlacedElement& element() const { return particle->element; }
 };
 
 void addPairContact(Search& s, std::uint32_t i, const Candidate& to) {
   const Continuum& p = s.in.particles;
+  const std::uint32_t j = to.particle->row;
   FoundContact f = startOf(s, i, *to.contact);
   RigidContact& c = f.contact;
-  const Material &m = s.in.scene.materials[p.material[i]], &o = s.in.scene.materials[p.material[to.row]];
-  c.b = p.pieceRow[to.row];
+  const Material &m = s.in.scene.materials[p.material[i]], &o = s.in.scene.materials[p.material[j]];
+  c.b = p.pieceRow[j];
   c.armB = minimumImage(to.contact->point - s.motion[c.b].centre, s.periods);
   c.friction = std::min(m.friction, o.friction);
   c.restitution = std::min(m.restitution, o.restitution);
-  c.keyB = p.id[to.row];
-  f.partner = p.piece[to.row];
-  f.other = to.row;
-  if (mayClose(s.in, s.motion, c)) s.found.push_back(f);
+  c.keyB = p.id[j];
+  f.partner = p.piece[j];
+  f.other = j;
+  s.found.push_back(f);
+}
+
+/// Returns true if the contact of particle i with j may close within the step.
+bool pairMayClose(const Search& s, std::uint32_t i, std::uint32_t j, const ElementContact& e) {
+  const Continuum& p = s.in.particles;
+  RigidContact c;
+  c.a = p.pieceRow[i];
+  c.b = p.pieceRow[j];
+  c.normal = e.normal;
+  c.gap = e.gap;
+  c.armA = minimumImage(e.point - s.motion[c.a].centre, s.periods);
+  c.armB = minimumImage(e.point - s.motion[c.b].centre, s.periods);
+  return mayClose(s.in, s.motion, c);
+}
+
+/// Speeds (m/s) about the centres of pieces, at the most distant points where particles of this rank may
+/// touch others.
+std::vector<double> rimSpeeds(const ContactSearch& in, std::span<const PieceMotion> motion) {
+  const Continuum& p = in.particles;
+  const Periods periods = periodsOf(in.grid);
+  std::vector<double> square(motion.size(), 0);
+  for (std::size_t i = 0; i < p.size(); i++) {
+    if (!hasSurface(p, i)) continue;
+    const Vec3d arm = minimumImage(p.position[i] - motion[p.pieceRow[i]].centre, periods);
+    square[p.pieceRow[i]] = std::max(square[p.pieceRow[i]], dot(arm, arm));
+  }
+  std::vector<double> speed(motion.size());
+  for (std::size_t k = 0; k < speed.size(); k++)
+    speed[k] = length(motion[k].spin) * (std::sqrt(square[k]) + 2 * in.grid.support);
+  return speed;
+}
+
+/// Returns true if a contact of two particles may close within the step, whatever its point and its normal.
+/// Bevels make gaps smaller by less than a factor of 1.5, but where the radii are small.
+bool isNear(const Search& s, const SurfaceParticle& a, const SurfaceParticle& b) {
+  constexpr double most = 1.5, smallRadii = 0.8;  // 1, spacings
+  const double spacing = s.in.scene.spacing;
+  const std::uint32_t ra = s.in.particles.pieceRow[a.row], rb = s.in.particles.pieceRow[b.row];
+  const double between = length(s.motion[ra].velocity - s.motion[rb].velocity);
+  const double speed = between + s.rimSpeed[ra] + s.rimSpeed[rb];
+  double gap = most * (nearGap * spacing + lookAhead * s.in.step * speed);
+  const bool planes = a.bend == 0 && b.bend == 0;
+  if (!planes && a.element.radius + b.element.offset < smallRadii * spacing) gap = std::max(gap, spacing);
+  const Vec3d to = a.centre - b.centre;
+  if (b.bend == 0 && !planes) return dot(to, b.element.normal) - b.element.offset - a.element.radius < gap;
+  const double aside = planes ? elementReach * spacing : 0;
+  const double reach = planes ? std::max(a.element.offset + b.element.offset, spacing)
+                              : a.element.radius + b.element.radius;
+  return dot(to, to) < (reach + gap) * (reach + gap) + aside * aside;
 }
 
 /// Vector (m) along a face to a point of contact from the nearest of its outermost particles, which are
 /// round; zero well within the face.
 Vec3d beyondFace(const Search& s, const Candidate& plane, std::span<const Candidate> candidates) {
-  const Continuum& p = s.in.particles;
   const Vec3d n = plane.contact->normal;
   const auto along = [&](const Vec3d& from) {
     const Vec3d to = plane.contact->point - from;
     return to - dot(to, n) * n;
   };
   const double most = elementReach * s.in.scene.spacing, aside = plane.contact->aside;
-  Vec3d beyond = aside > most ? (1 - most / aside) * along(plane.element.position) : Vec3d{};
+  Vec3d beyond = aside > most ? (1 - most / aside) * along(plane.element().position) : Vec3d{};
   for (const Candidate& c : candidates) {
-    if (!c.element.round() || p.piece[c.row] != p.piece[plane.row]) continue;
-    const Vec3d to = along(c.element.position);
+    if (c.particle->bend < 2 || c.particle->piece != plane.particle->piece) continue;
+    const Vec3d to = along(c.element().position);
     if (dot(to, to) < dot(beyond, beyond)) beyond = to;
   }
   return beyond;
@@ -154,11 +243,11 @@ Vec3d beyondFace(const Search& s, const Candidate& plane, std::span<const Candid
 void bevelEdges(const Search& s, const PlacedElement& a, std::vector<Candidate>& candidates) {
   const double flat = flatEdge * s.in.scene.spacing;
   for (Candidate& c : candidates) {
-    if (!c.element.plane() || !c.contact) continue;
+    if (c.particle->bend > 0 || !c.contact) continue;
     const Vec3d beyond = beyondFace(s, c, candidates);
     c.beyond = length(beyond);
     if (!(c.beyond > flat)) continue;
-    const double both = a.radius + c.element.offset, height = c.contact->gap + both;
+    const double both = a.radius + c.element().offset, height = c.contact->gap + both;
     const double round = std::min(roundEdge * s.in.scene.spacing, both);
     if (c.beyond > round || height < 0.5 * both) {
       c.contact.reset();
@@ -173,59 +262,63 @@ void bevelEdges(const Search& s, const PlacedElement& a, std::vector<Candidate>&
 
 /// Returns true if a particle touches the piece at o rather than at c.
 bool replaces(const Search& s, const PlacedElement& a, const Candidate& o, const Candidate& c) {
-  const Continuum& p = s.in.particles;
-  if (&o == &c || !o.contact || p.piece[o.row] != p.piece[c.row]) return false;
+  if (!o.contact || &o == &c || o.particle->piece != c.particle->piece) return false;
+  const auto id = [&](const Candidate& x) { return s.in.particles.id[x.particle->row]; };
   const double gap = o.contact->gap, other = c.contact->gap, even = faceGap * s.in.scene.spacing;
-  const bool edge = a.round() && c.element.round();
-  if (edge != (a.round() && o.element.round())) return edge ? gap < other + even : other >= gap + even;
-  if (directionBin(o.contact->normal) != directionBin(c.contact->normal)) return false;
-  if (o.element.plane() && c.element.plane())
-    return std::tuple(o.beyond, o.contact->aside, p.id[o.row]) <
-           std::tuple(c.beyond, c.contact->aside, p.id[c.row]);
-  return std::tuple(gap, p.id[o.row]) < std::tuple(other, p.id[c.row]);
+  const bool edge = a.round() && c.particle->bend == 2;
+  if (edge != (a.round() && o.particle->bend == 2)) return edge ? gap < other + even : other >= gap + even;
+  if (o.bin != c.bin) return false;
+  if (o.particle->bend == 0 && c.particle->bend == 0)
+    return std::tuple(o.beyond, o.contact->aside, id(o)) < std::tuple(c.beyond, c.contact->aside, id(c));
+  return std::tuple(gap, id(o)) < std::tuple(other, id(c));
 }
 
-/// 2: edges and corners, 1: curved surfaces, 0: planes.
-int bend(const PlacedElement& e) { return e.round() ? 2 : e.plane() ? 0 : 1; }
-
-/// Returns true if the search from particle i lists its contact with j. The search from the more curved
+/// Returns true if the search from particle a lists its contact with b. The search from the more curved
 /// element finds the faces and edges around the other one.
-bool lists(const PlacedElement& a, const PlacedElement& b, bool smaller) {
-  return bend(a) != bend(b) ? bend(a) > bend(b) : smaller;
+bool lists(const SurfaceParticle& a, const SurfaceParticle& b) {
+  return a.bend != b.bend ? a.bend > b.bend : a.piece < b.piece;
 }
 
 /// Adds the contacts of a particle, one for each piece and direction.
-void addPairContacts(Search& s, std::uint32_t i, const PlacedElement& a, std::vector<Candidate>& candidates) {
-  const Continuum& p = s.in.particles;
-  if (!a.plane()) bevelEdges(s, a, candidates);
+void addPairContacts(Search& s, const SurfaceParticle& a, std::vector<Candidate>& candidates) {
+  if (a.bend > 0) bevelEdges(s, a.element, candidates);
+  for (Candidate& c : candidates)
+    if (c.contact) c.bin = directionBin(c.contact->normal);
   for (const Candidate& c : candidates)
-    if (c.contact && lists(a, c.element, p.piece[i] < p.piece[c.row]) &&
+    if (c.contact && lists(a, *c.particle) && pairMayClose(s, a.row, c.particle->row, *c.contact) &&
         std::none_of(candidates.begin(), candidates.end(),
-                     [&](const Candidate& o) { return replaces(s, a, o, c); }))
-      addPairContact(s, i, c);
+                     [&](const Candidate& o) { return replaces(s, a.element, o, c); }))
+      addPairContact(s, a.row, c);
 }
 
-void findPairsOf(Search& s, std::uint32_t i, const SurfaceCells& t, std::span<const RowSpan> ranges,
-                 std::vector<Candidate>& candidates) {
-  const Continuum& p = s.in.particles;
-  const PlacedElement a = placed(s.in, i);
-  const double spacing = s.in.scene.spacing;
-  const bool sleeps = isAsleep(s.in, i);
-  candidates.clear();
-  bool any = false;
+/// Calls use(b) for surface particles b that particle a may touch, until it returns true. Returns true then.
+template<class Use>
+bool anyAround(const Search& s, const SurfaceParticle& a, const SurfaceCells& t,
+               std::span<const RowSpan> ranges, Use&& use) {
+  const double reach = a.element.offset + 2 * sphereReach * s.in.scene.spacing;
   for (const RowSpan& r : ranges)
     for (std::uint32_t m = r.begin; m < r.end; m++) {
-      const std::uint32_t j = t.rows[m];
-      if (p.piece[j] == p.piece[i] || (sleeps && isAsleep(s.in, j))) continue;
-      const Vec3d to = p.position[j] - a.position;
-      const double near = a.offset + static_cast<double>(p.faceOffset[j]) + 2 * sphereReach * spacing;
-      if (!(dot(to, to) < near * near)) continue;
-      Candidate c{j, placed(s.in, j), {}};
-      if (bend(a) >= bend(c.element)) c.contact = contactOf(a, c.element, spacing);
-      any = any || c.contact;
-      if (c.contact || c.element.round()) candidates.push_back(c);
+      const SurfaceParticle& b = t.rows[m];
+      if (b.piece == a.piece || (a.asleep && b.asleep)) continue;
+      const Vec3d to = b.element.position - a.element.position;
+      const double near = reach + b.element.offset;
+      if (dot(to, to) < near * near && use(b)) return true;
     }
-  if (any) addPairContacts(s, i, a, candidates);
+  return false;
+}
+
+void findPairsOf(Search& s, const SurfaceParticle& a, const SurfaceCells& t, std::span<const RowSpan> ranges,
+                 std::vector<Candidate>& candidates) {
+  if (!anyAround(s, a, t, ranges, [&](const SurfaceParticle& b) { return lists(a, b) && isNear(s, a, b); }))
+    return;
+  candidates.clear();
+  anyAround(s, a, t, ranges, [&](const SurfaceParticle& b) {
+    std::optional<ElementContact> contact;
+    if (a.bend >= b.bend) contact = contactOf(a.element, b.element, s.in.scene.spacing);
+    if (contact || b.bend == 2) candidates.push_back({&b, contact});
+    return false;
+  });
+  addPairContacts(s, a, candidates);
 }
 
 /// Contacts of pieces.
@@ -233,9 +326,10 @@ void findPairs(Search& s) {
   const SurfaceCells t = surfaceCells(s.in);
   std::vector<RowSpan> ranges;
   std::vector<Candidate> candidates;
+  CellsAround around(t);
   for (std::size_t c = 0; c < t.cells.key.size(); c++) {
-    if (t.rows[t.cells.first[c]] >= s.in.particles.owned) continue;
-    if (nothingToTouch(t, c, ranges)) continue;
+    if (t.rows[t.cells.first[c]].row >= s.in.particles.owned) continue;
+    if (around.nothingToTouch(c, ranges)) continue;
     for (std::uint32_t k = t.cells.first[c]; k < t.cells.first[c] + t.cells.count[c]; k++)
       findPairsOf(s, t.rows[k], t, ranges, candidates);
   }
@@ -301,7 +395,7 @@ void findObstacles(Search& s) {
 
 std::vector<FoundContact> findContacts(const ContactSearch& search, std::span<const PieceMotion> motion,
                                        Reducer& all) {
-  Search s{search, motion, periodsOf(search.grid), {}};
+  Search s{search, motion, periodsOf(search.grid), rimSpeeds(search, motion), {}};
   findPairs(s);
   findObstacles(s);
   reduceContacts(s.found, search.pieces, search.scene.spacing, all);

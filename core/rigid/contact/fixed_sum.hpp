@@ -1,41 +1,59 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums in fixed point: two integers of a shared unit. The result does not depend on the order of the terms.
+// Sums of multiples of a shared unit. The result does not depend on the order of the terms.
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 namespace thaw {
 
-/// A unit that is a power of two. Terms are multiples of it and at most 2^82 units, so that
-/// 2^20 of them fit.
+/// A unit that is a power of two. Terms are rounded to multiples of it, and cut at 2^82 units.
 struct FixedUnit {
-  double unit = 1, inverse = 1;
+  double unit = 1;
 
   /// The unit that resolves `scale` > 0 to 2^-54 and has room for terms of 2^28 scales.
   static FixedUnit forScale(double scale) {
-    const int exponent = std::clamp(std::ilogb(scale) - 53, -1000, 900);
-    return {std::ldexp(1.0, exponent), std::ldexp(1.0, -exponent)};
+    return {std::ldexp(1.0, std::clamp(std::ilogb(scale) - 53, -1000, 900))};
   }
 };
 
-inline constexpr double fixedLow = 1099511627776.0;  ///< 2^40, units of the upper word
-inline constexpr double fixedMost = 0x1p82;          ///< units, largest term
+inline constexpr double fixedMost = 0x1p82;  ///< units, largest term
+inline constexpr int fixedLowBits = 34;      ///< bits of the lower part
+inline constexpr double fixedHigh = 0x1p34;  ///< units, of the upper part
 
-/// Adds x, truncated to whole units, to the two words at `words`. Requires: x is finite.
-inline void addFixed(std::int64_t* words, double x, const FixedUnit& unit) {
-  const double units = std::clamp(x * unit.inverse, -fixedMost, fixedMost);
-  const auto upper = static_cast<std::int64_t>(units * (1 / fixedLow));
-  words[0] += upper;
-  words[1] += static_cast<std::int64_t>(units - static_cast<double>(upper) * fixedLow);
-}
+/// N sums in two parts each. Both are whole numbers of their units below 2^53, so additions of doubles are
+/// exact: up to 2^20 terms, and sums of up to 2^86 units.
+template<std::size_t N> struct FixedSums {
+  double high[N] = {}, low[N] = {};
 
-/// The sum in the two words, rounded to a double.
-inline double fixedValue(const std::int64_t* words, const FixedUnit& unit) {
+  /// Adds a term to each sum. units: those of the sums. Requires: terms are finite.
+  void add(const double (&terms)[N], const double (&units)[N]) {
+    // A sum with 1.5 * 2^52 units is rounded to whole units.
+    constexpr double rounder = 0x1.8p52;
+    for (std::size_t k = 0; k < N; k++) {
+      const double most = fixedMost * units[k], x = std::min(std::max(terms[k], -most), most);
+      const double toHigh = rounder * fixedHigh * units[k], toLow = rounder * units[k];
+      const double upper = (x + toHigh) - toHigh;
+      high[k] += upper;
+      low[k] += ((x - upper) + toLow) - toLow;
+    }
+  }
+
+  /// Writes the sum k as two integers, which sums over ranks add.
+  void store(std::size_t k, double unit, std::int64_t* words) const {
+    const double inverse = 1 / unit;
+    words[0] = static_cast<std::int64_t>(high[k] * inverse * (1 / fixedHigh));
+    words[1] = static_cast<std::int64_t>(low[k] * inverse);
+  }
+};
+
+/// The sum in two words, rounded to a double.
+inline double fixedValue(const std::int64_t* words, double unit) {
   // carries first, so that equal sums in different words have the same bits
-  const std::int64_t carry = words[1] >> 40;
-  const std::int64_t low = words[1] - carry * (std::int64_t{1} << 40);
-  return (static_cast<double>(words[0] + carry) * fixedLow + static_cast<double>(low)) * unit.unit;
+  const std::int64_t carry = words[1] >> fixedLowBits;
+  const std::int64_t low = words[1] - carry * (std::int64_t{1} << fixedLowBits);
+  return (static_cast<double>(words[0] + carry) * fixedHigh + static_cast<double>(low)) * unit;
 }
 
 }  // namespace thaw

@@ -29,6 +29,7 @@ struct VelocityProblem {
   std::vector<double> target;
   double speed = 0;    ///< m/s, bound of all velocities and first guesses, over all ranks
   double deepest = 0;  ///< m, over all ranks
+  double impact = 0;   ///< m/s, largest change that a target demands, over all ranks
 };
 
 VelocityProblem velocityProblem(const ContactSystem& system, const ContactSettings& settings) {
@@ -41,11 +42,13 @@ VelocityProblem velocityProblem(const ContactSystem& system, const ContactSettin
     p.impulses.push_back(c.impulse);
     p.speed = std::max(p.speed, finiteOr(length(u) + system.inertia[i] * length(c.impulse), HUGE_VAL));
     p.deepest = std::max(p.deepest, finiteOr(-c.gap, HUGE_VAL));
+    p.impact = std::max(p.impact, p.target.back() - dot(u, c.normal));
   }
-  double most[2] = {p.speed, p.deepest};
+  double most[3] = {p.speed, p.deepest, p.impact};
   system.all->maximum(most);
   p.speed = most[0];
   p.deepest = most[1];
+  p.impact = most[2];
   return p;
 }
 
@@ -60,14 +63,14 @@ void recordBalance(const ContactSystem& system, const VelocityProblem& problem,
                                 (1 + length(problem.free[i]) + length(system.contacts[i].otherVelocity)));
   system.all->maximum({&scale, 1});
   if (!(scale > 0)) return;
-  ContactSums<balances> sums{FixedUnit::forScale(scale), {}};
+  ContactSums<balances> sums{FixedUnit::forScale(scale)};
   for (std::size_t i = 0; i < problem.free.size(); i++) {
     const RigidContact& c = system.contacts[i];
     const Vec3d mean = problem.free[i] + 0.5 * relativeChange(c, rows);
-    sums.add(Lost, -dot(problem.impulses[i], mean));
-    if (c.b != noPiece) continue;
-    sums.add(Work, dot(problem.impulses[i], c.otherVelocity));
-    for (int k = 0; k < 3; k++) sums.add(static_cast<std::size_t>(ImpulseX + k), problem.impulses[i][k]);
+    const bool obstacle = c.b == noPiece;
+    const Vec3d& j = problem.impulses[i];
+    const Vec3d onPiece = obstacle ? j : Vec3d{};
+    sums.add({-dot(j, mean), dot(onPiece, c.otherVelocity), onPiece.x, onPiece.y, onPiece.z});
   }
   sums.sum(*system.all);
   result.dissipated = sums.value(Lost);
@@ -114,6 +117,7 @@ ContactResult solveContacts(std::span<PieceMotion> pieces, std::span<RigidContac
   VelocityProblem problem = velocityProblem(system, settings);
   ContactResult result;
   result.deepest = problem.deepest;
+  result.tolerance = settings.tolerance;
   if (!std::isfinite(problem.speed) || !std::isfinite(problem.deepest)) {
     result.residual = HUGE_VAL;
     result.converged = false;
@@ -122,13 +126,16 @@ ContactResult solveContacts(std::span<PieceMotion> pieces, std::span<RigidContac
   std::vector<RowChange> rows(pieces.size());
   if (problem.speed > 0) {
     setSpeed(system, problem.speed);
+    result.tolerance = std::max(settings.tolerance, settings.impactPart * problem.impact);
     const SolveCount count = solveAccelerated(
-        system, {problem.free, problem.target, true, settings.tolerance, settings.mostIterations},
+        system, {problem.free, problem.target, true, result.tolerance, settings.mostIterations},
         problem.impulses, rows);
     result.iterations = count.iterations;
     result.residual = count.residual;
-    result.converged = count.residual <= settings.tolerance;
-    sumImpulses(system, problem.impulses);
+    result.converged = count.residual <= result.tolerance;
+    clearImpulses(system);
+    for (std::size_t i = 0; i < contacts.size(); i++) addImpulse(system, contacts[i], problem.impulses[i]);
+    sumImpulses(system);
     for (std::size_t r = 0; r < pieces.size(); r++) {
       const RowImpulse sum = rowImpulse(system, r);
       changes[r].impulse = sum.linear;

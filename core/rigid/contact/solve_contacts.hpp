@@ -13,6 +13,7 @@ namespace thaw {
 struct ContactSettings {
   double step = 0;            ///< s
   double tolerance = 1e-6;    ///< m/s, largest velocity error of a contact at which the iteration stops
+  double impactPart = 0;      ///< 1, the same as a part of the largest velocity that impulses must change
   int mostIterations = 500;   ///< limit for each of the two solves
   double impactSpeed = 0;     ///< m/s; slower approaches have no restitution
   double slop = 0;            ///< m, overlap that is not corrected
@@ -24,6 +25,7 @@ struct ContactResult {
   int iterations = 0;            ///< iterations of the velocity solve
   int correctionIterations = 0;  ///< iterations of the overlap solve
   double residual = 0;           ///< m/s, largest velocity error of a contact, over all ranks
+  double tolerance = 0;          ///< m/s, the larger one of both tolerances
   double dissipated = 0;         ///< J, kinetic energy before minus after, less the work of obstacles; over
                                  ///< all ranks
   double obstacleWork = 0;       ///< J, done by moving obstacles on pieces; over all ranks
