@@ -58,7 +58,7 @@ std::string messageOf(const mu::ParserError& e) {
   if (code == mu::ecUNASSIGNABLE_TOKEN) {
     std::string name = e.GetToken();  // with a blank that muParser appends
     name.erase(name.find_last_not_of(' ') + 1);
-    return "unknown name " + quoted(name) + where;
+    return "unknown name " + thaw::quoted(name) + where;
   }
   if (code == mu::ecUNEXPECTED_EOF) return "it ends too early";
   std::string text = e.GetMsg();

@@ -5,9 +5,9 @@
 
 #include <map>
 
+#include "core/math/hash_random.hpp"
 #include "tests/support/closed_mesh.hpp"
 #include "tests/support/meshes.hpp"
-#include "tests/support/surface/surfel_samples.hpp"
 
 using namespace thaw;
 
@@ -73,13 +73,14 @@ TEST(CubeTriangles, VerticesAreTheEdgesThatCross) {
 TEST(CubeTriangles, MeshesOfRandomCornersAreClosed) {
   for (std::uint64_t seed = 0; seed < 40; seed++) {
     InsideFlags inside(side * side * side, 0);
-    const double share = 0.1 + 0.8 * randomShare(seed, 0);
+    const double share = 0.1 + 0.8 * randomUniform(seed, Purpose::Test, 0);
     for (int z = 1; z + 1 < side; z++)
       for (int y = 1; y + 1 < side; y++)
         for (int x = 1; x + 1 < side; x++) {
           const int corner = cornerAt(x, y, z);
-          inside[static_cast<std::size_t>(corner)] = randomShare(seed, static_cast<std::uint64_t>(corner) +
-                                                                           1) < share;
+          inside[static_cast<std::size_t>(corner)] = randomUniform(seed, Purpose::Test,
+                                                                   static_cast<std::uint64_t>(corner) + 1) <
+                                                     share;
         }
     expectClosed(meshOf(inside));
   }
