@@ -38,8 +38,12 @@ SampleLattice latticeIn(const Bounds& b, double spacing, Layers layers) {
 }  // namespace
 
 SampleLattice sampleLattice(const SignedDistance& shape, double spacing, Layers layers) {
+  return latticeIn(shape.bounds(), spacing, layers);
+}
+
+SampleLattice turnedLattice(const SignedDistance& shape, double spacing, Layers layers) {
   const Mat3d axes = axesOf(shape);
-  if (isIdentity(axes)) return latticeIn(shape.bounds(), spacing, layers);
+  if (isIdentity(axes)) return sampleLattice(shape, spacing, layers);
   const Mat3d rows = transpose(axes);
   Bounds b;
   for (int a = 0; a < 3; a++) {

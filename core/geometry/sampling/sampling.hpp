@@ -15,8 +15,8 @@ namespace thaw {
 /// uses Fit, since Cover would push adjacent liquid away.
 enum class Layers { Cover, Fit };
 
-/// Cubic lattice around the box of a body along its axes, centred on it. A box of n spacings along them gets
-/// n points, the outer ones half a spacing inside.
+/// Cubic lattice around the bounding box of a body, centred on it, along the axes of the scene or of the
+/// body. A box of n spacings along them gets n points, the outer ones half a spacing inside.
 struct SampleLattice {
   Vec3d corner{};                    ///< m, half a spacing below point (0, 0, 0) along each axis
   double spacing = 0;                ///< m
@@ -37,10 +37,11 @@ struct SampleRange {
   std::int64_t begin = 0, end = 0;
 };
 
-/// Returns the lattice of a shape, along its axes (axesOf): faces of a rotated box have no steps, which would
-/// grow into jets where liquid is decelerated. Throws ShapeError if the bounds are not finite or the lattice
-/// has 2^40 points or more.
+/// Throws ShapeError if the bounds are not finite or the lattice has 2^40 points or more.
 SampleLattice sampleLattice(const SignedDistance& shape, double spacing, Layers layers = Layers::Cover);
+
+/// The same along the axes of the shape (axesOf), which follow its rotation in the scene.
+SampleLattice turnedLattice(const SignedDistance& shape, double spacing, Layers layers = Layers::Cover);
 
 /// Returns the rows of one rank: equal shares, empty for some ranks if there are fewer rows than ranks.
 SampleRange sampleRange(const SampleLattice& lattice, int rank, int ranks);

@@ -44,8 +44,12 @@ PlacedMesh makePlacedSurface(const Shape& s, const MeshLoader& load) {
   return placed(s, load, repairSurface);
 }
 
+Placement placementOfMesh(const Shape& s, const TriangleMesh& mesh) {
+  return placementOf(s, std::make_shared<MeshReach>(mesh));
+}
+
 Placement placeMesh(const Shape& s, TriangleMesh& mesh) {
-  const Placement p = placementOf(s, std::make_shared<MeshReach>(mesh));
+  const Placement p = placementOfMesh(s, mesh);
   for (Vec3d& v : mesh.vertices) v = p.move + p.rotation * (p.scale * v);
   for (auto& corners : mesh.normals)
     for (Vec3d& n : corners) n = p.rotation * n;

@@ -19,6 +19,9 @@ PlacedMesh makePlacedMesh(const Shape& shape, const MeshLoader& load);
 /// As makePlacedMesh, for a surface that may be open and then stays open (repairSurface).
 PlacedMesh makePlacedSurface(const Shape& shape, const MeshLoader& load);
 
+/// Returns the placement of a shape of any kind with this mesh in its own frame. Throws ShapeError.
+Placement placementOfMesh(const Shape& shape, const TriangleMesh& mesh);
+
 /// Applies the placement of a shape of any kind to a mesh. Throws ShapeError.
 Placement placeMesh(const Shape& shape, TriangleMesh& mesh);
 

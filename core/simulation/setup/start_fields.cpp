@@ -92,7 +92,13 @@ Vec3d middleOf(const SignedDistance& shape) {
 }
 
 SampleLattice bodyLattice(const Scene& s, const Body& body, const SignedDistance& shape) {
-  return sampleLattice(shape, s.spacing, solidAtStart(s, body) ? Layers::Cover : Layers::Fit);
+  const bool solid = solidAtStart(s, body);
+  const Layers layers = solid ? Layers::Cover : Layers::Fit;
+  // Steps in the faces of a liquid box grow into jets where the liquid is decelerated. Rigid pieces touch at
+  // their particles, so faces and edges need particles at a uniform depth.
+  const bool rigid = solid && s.materials[static_cast<std::size_t>(body.material)].isRigid();
+  return rigid || body.shape.kind == ShapeKind::Box ? turnedLattice(shape, s.spacing, layers)
+                                                    : sampleLattice(shape, s.spacing, layers);
 }
 
 Vec3d startVelocity(const Body& b, const Vec3d& centre, const Vec3d& x) {

@@ -55,24 +55,27 @@ Vec3d outwardOf(const TriangleMesh& m, std::uint32_t triangle) {
   return normalized(cross(m.vertices[t[1]] - m.vertices[t[0]], m.vertices[t[2]] - m.vertices[t[0]]));
 }
 
+/// Samples in the mesh's own frame, so that samples do not depend on the placement.
 std::vector<SurfaceSample> sampleMesh(const Shape& shape, const MeshLoader& load, double spacing,
                                       std::uint64_t seed) {
-  const PlacedMesh placed = makePlacedMesh(shape, load);
-  const MeshNormals normals(placed.mesh);
+  const PlacedMesh own = makePlacedMesh(withoutPlacement(shape), load);
+  const Placement to = placementOfMesh(shape, own.mesh);
+  const MeshNormals normals(own.mesh);
   std::shared_ptr<const SignedDistance> solid;
-  if (placed.report.closed && placed.report.shells > 1) solid = makeSignedDistance(shape, load);
+  if (own.report.closed && own.report.shells > 1) solid = makeSignedDistance(shape, load);
   std::vector<SurfaceSample> samples;
-  for (const MeshSample& m : blueNoise(placed.mesh, spacing, seed)) {
-    SurfaceSample s{m.position, normals.at(m.position, m.triangle)};
-    if (!placed.mesh.colours.empty()) s.colour = normals.colourAt(m.position, m.triangle), s.coloured = true;
-    if (shape.mesh == builtinBust) refineOnBust(placed.placement, s);
+  for (const MeshSample& m : blueNoise(own.mesh, spacing / to.scale, seed)) {
+    SurfaceSample s{to.move + to.rotation * (to.scale * m.position),
+                    to.rotation * normals.at(m.position, m.triangle)};
+    if (!own.mesh.colours.empty()) s.colour = normals.colourAt(m.position, m.triangle), s.coloured = true;
+    if (shape.mesh == builtinBust) refineOnBust(to, s);
     if (solid && solid->inside(s.position + s.normal * (1e-3 * spacing))) continue;
     samples.push_back(s);
   }
   return samples;
 }
 
-/// Samples in the shape's own frame, so that samples do not depend on the placement.
+/// The same of other shapes, in their own frames.
 std::vector<SurfaceSample> sampleExact(const Shape& placed, const MeshLoader& load, double apart,
                                        std::uint64_t seed) {
   const Shape shape = withoutPlacement(placed);

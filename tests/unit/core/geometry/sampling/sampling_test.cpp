@@ -28,14 +28,14 @@ TEST(Sampling, BoxesAreFilledExactly) {
   }
 }
 
-TEST(Sampling, LatticesFollowTheRotationOfTheirShape) {
+TEST(Sampling, TurnedLatticesFollowTheRotationOfTheirShape) {
   Shape s;
   s.size = {1, 0.7, 0.4};
   s.rotate = {0.4, -0.7, 1.9};
   s.move = {0.1, -0.7, 33.3};
   const auto d = makeSignedDistance(s);
   for (const Layers layers : {Layers::Cover, Layers::Fit}) {
-    const SampleLattice l = sampleLattice(*d, 0.1, layers);
+    const SampleLattice l = turnedLattice(*d, 0.1, layers);
     const Samples p = sampleShape(*d, l, {0, l.rows()});
     ASSERT_EQ(p.position.size(), 280u);
     for (const Vec3d& x : p.position) EXPECT_LT(d->distance(x), -0.0499);
