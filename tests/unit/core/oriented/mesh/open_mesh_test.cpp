@@ -29,7 +29,7 @@ SampledPoints pointsOf(const TriangleMesh& m, OrientedBody b = ofMesh("m")) {
 
 /// A bowl: the lower half of a ball of 0.3 m.
 TriangleMesh bowl() {
-  TriangleMesh m = ballMesh({}, 0.3, 0.04);
+  TriangleMesh m = ballMesh({}, 0.3, 0.036);
   std::erase_if(m.triangles, [&](const auto& t) {
     return m.vertices[t[0]].z + m.vertices[t[1]].z + m.vertices[t[2]].z > 0;
   });
