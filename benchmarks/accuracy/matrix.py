@@ -74,7 +74,7 @@ def withOrders(rows):
 
 def writeRows(path, rows):
     with open(path + ".new", "w", newline="") as f:
-        out = csv.DictWriter(f, COLUMNS)
+        out = csv.DictWriter(f, COLUMNS, lineterminator="\n")
         out.writeheader()
         out.writerows(withOrders(rows))
     os.replace(path + ".new", path)
