@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Liquid parameters of a material, computed once per run.
 #pragma once
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -13,10 +14,17 @@ struct LiquidMaterial {
   double soundSpeed = 0;  ///< m/s
   double artificial = 0;  ///< Pa s, alpha c h rho0 / 10: artificial viscosity as the viscosity of approaching
                           ///< pairs
-  double pressureLead = 0;  ///< s, beta h / c: time by which the pressure leads the carried density
-  double rootTension = 0;   ///< (N/m)^1/2
-  double restVolume = 0;    ///< m^3/kg
+  double pressureLead = 0;    ///< s, beta h / c: time by which the pressure leads the carried density
+  double rootTension = 0;     ///< (N/m)^1/2
+  double restVolume = 0;      ///< m^3/kg
+  double surfaceDamping = 0;  ///< Pa s, least viscosity of approaching pairs at the free surface
 };
+
+/// Returns the artificial viscosity (Pa s) of a liquid at its free surface, where tension by curvature needs
+/// more than its own viscosity (Pa s).
+inline double artificialAtSurface(const LiquidMaterial& l, double viscosity) {
+  return std::max(l.artificial, l.surfaceDamping - viscosity);
+}
 
 /// Largest expected speed (m/s), see expectedFlow.
 double expectedSpeed(const Scene& scene);

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/fluid/laws/surface_damping.hpp"
 #include "core/materials/enthalpy.hpp"
 #include "core/materials/rest_density.hpp"
 #include "core/materials/state_equation.hpp"
@@ -98,15 +97,6 @@ void packPlace(const CellGrid& grid, const FixedPlaces& fixedPlace, const Vec3d&
   }
 }
 
-/// Artificial viscosity (Pa s) of a liquid particle; tension by curvature adds to it at the free surface what
-/// the viscosity lacks.
-double artificialOf(const RecordContext& x, std::uint16_t material, bool atSurface, double viscosity) {
-  const LiquidMaterial& l = x.liquids[material];
-  if (!atSurface) return l.artificial;
-  return std::max(l.artificial,
-                  surfaceDamping(x.scene, x.scene.materials[material], l.soundSpeed) - viscosity);
-}
-
 template<class Real>
 void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
   const CellGrid grid = x.grid;
@@ -166,9 +156,11 @@ void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::
           carried ? static_cast<Real>(p.compression[i] * (x.liquids[k].stiffness / stiffness)) : Real(0),
           static_cast<Real>(wet), static_cast<Real>(T), static_cast<Real>(local.conductivity)};
     if (surface)
-      rows<Real>(r.surface)[i] = {static_cast<Real>(x.liquids[k].rootTension * f), Real(p.phase[i] == Solid),
-                                  static_cast<Real>(artificialOf(x, k, atSurface, local.viscosity) * f),
-                                  static_cast<Real>(m.xsph * f)};
+      rows<Real>(r.surface)[i] = {
+          static_cast<Real>(x.liquids[k].rootTension * f), Real(p.phase[i] == Solid),
+          static_cast<Real>(
+              (atSurface ? artificialAtSurface(x.liquids[k], local.viscosity) : x.liquids[k].artificial) * f),
+          static_cast<Real>(m.xsph * f)};
   }
 }
 

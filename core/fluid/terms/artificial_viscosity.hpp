@@ -8,7 +8,8 @@ namespace THAW_ISA {
 namespace {
 
 /// Artificial viscosity (M92) of approaching pairs; record: alpha c h rho / 10. Arithmetic mean between
-/// liquids with tension, as the damping of a free surface acts on pairs across it (surface_damping.hpp).
+/// liquids with tension, as the damping of a free surface acts on pairs across it
+/// (LiquidMaterial::surfaceDamping).
 template<class Real, class Kernel> struct Artificial {
   using L = Lanes<Real>;
   const Record<Real>*positionVolume, *velocityViscosity, *surface;

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "core/fluid/flow_laws/particle_viscosity.hpp"
-#include "core/fluid/laws/surface_damping.hpp"
 #include "core/kernels/lattice.hpp"
 #include "core/materials/contact_modulus.hpp"
 #include "core/materials/enthalpy.hpp"
@@ -22,12 +21,6 @@ Limit StepLimits::smallest() const {
 }
 
 namespace {
-
-/// Largest artificial viscosity (Pa s) of a liquid.
-double artificialOf(const Scene& s, const Material& m, const LiquidMaterial& l) {
-  const bool constant = m.viscosityTable.empty() && !hasFlowLaw(m);
-  return std::max(l.artificial, surfaceDamping(s, m, l.soundSpeed) - (constant ? m.viscosity.liquid : 0));
-}
 
 /// Largest stiffness of liquids of these materials (Pa).
 double stiffestLiquid(const Scene& s, const std::vector<LiquidMaterial>& liquids) {
@@ -106,9 +99,12 @@ StepLimits materialLimits(const Scene& s, const Modules& modules,
     }
     if (modules.fluid) {
       // Tables and flow laws are evaluated per particle.
-      const bool constant = m.viscosityTable.empty() && !hasFlowLaw(m) && !modules.implicitViscosity;
-      const double mu = (constant ? viscosityOfStep(s, k, largestViscosity(s, m)) : 0) +
-                        (canBeLiquid(m) ? 1.6 * artificialOf(s, m, liquids[k]) : 0);
+      const bool constant = m.viscosityTable.empty() && !hasFlowLaw(m);
+      const double artificial = artificialAtSurface(liquids[k], constant ? m.viscosity.liquid : 0);
+      const double mu = (constant && !modules.implicitViscosity
+                             ? viscosityOfStep(s, k, largestViscosity(s, m))
+                             : 0) +
+                        (canBeLiquid(m) ? 1.6 * artificial : 0);
       if (mu > 0) take(Limit::Viscous, n.cflViscous * stableViscousStep(n) * h * h * leastDensityOf(m) / mu);
     }
     if (modules.fluid && canBeLiquid(m)) {
