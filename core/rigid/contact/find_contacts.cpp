@@ -154,33 +154,32 @@ struct Candidate {
   const PlacedElement& element() const { return particle->element; }
 };
 
-void addPairContact(Search& s, std::uint32_t i, const Candidate& to) {
+/// Returns the contact of particle i with j, without the data of materials.
+FoundContact startOfPair(const Search& s, std::uint32_t i, std::uint32_t j, const ElementContact& e) {
   const Continuum& p = s.in.particles;
-  const std::uint32_t j = to.particle->row;
-  FoundContact f = startOf(s, i, *to.contact);
+  FoundContact f = startOf(s, i, e);
   RigidContact& c = f.contact;
-  const Material &m = s.in.scene.materials[p.material[i]], &o = s.in.scene.materials[p.material[j]];
   c.b = p.pieceRow[j];
-  c.armB = minimumImage(to.contact->point - s.motion[c.b].centre, s.periods);
-  c.friction = std::min(m.friction, o.friction);
-  c.restitution = std::min(m.restitution, o.restitution);
+  c.armB = minimumImage(e.point - s.motion[c.b].centre, s.periods);
   c.keyB = p.id[j];
   f.partner = p.piece[j];
   f.other = j;
+  return f;
+}
+
+void addPairContact(Search& s, std::uint32_t i, const Candidate& to) {
+  const Continuum& p = s.in.particles;
+  const std::uint32_t j = to.particle->row;
+  FoundContact f = startOfPair(s, i, j, *to.contact);
+  const Material &m = s.in.scene.materials[p.material[i]], &o = s.in.scene.materials[p.material[j]];
+  f.contact.friction = std::min(m.friction, o.friction);
+  f.contact.restitution = std::min(m.restitution, o.restitution);
   s.found.push_back(f);
 }
 
 /// Returns true if the contact of particle i with j may close within the step.
 bool pairMayClose(const Search& s, std::uint32_t i, std::uint32_t j, const ElementContact& e) {
-  const Continuum& p = s.in.particles;
-  RigidContact c;
-  c.a = p.pieceRow[i];
-  c.b = p.pieceRow[j];
-  c.normal = e.normal;
-  c.gap = e.gap;
-  c.armA = minimumImage(e.point - s.motion[c.a].centre, s.periods);
-  c.armB = minimumImage(e.point - s.motion[c.b].centre, s.periods);
-  return mayClose(s.in, s.motion, c);
+  return mayClose(s.in, s.motion, startOfPair(s, i, j, e).contact);
 }
 
 /// Speeds (m/s) about the centres of pieces, at the most distant points where particles of this rank may
