@@ -161,12 +161,12 @@ void addNormalStress(const ElasticArrays& a, const LaneConstants& c, std::size_t
 
 void yieldHourglass(const ElasticArrays& a, std::size_t slot, int lane, LaneConstants& c,
                     double (&errors)[8]) {
-  const double young = c.constants[lane].hourglass, limit = c.constants[lane].hourglassYield,
+  const double stiffness = c.constants[lane].hourglass, limit = c.constants[lane].hourglassYield,
                error = std::sqrt(errors[lane] * a.perTrace[slot]);
   errors[lane] = 0;
   if (!(error > limit)) return;
   c.hourglass[lane] *= limit / error;
-  errors[lane] = 0.5 * young * limit * (error - limit);
+  errors[lane] = 0.5 * stiffness * limit * (error - limit);
 }
 
 namespace {

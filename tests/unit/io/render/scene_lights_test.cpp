@@ -3,29 +3,16 @@
 #include <gtest/gtest.h>
 
 #include "io/render/scene_job.hpp"
-#include "io/scene/read_scene.hpp"
+#include "tests/unit/io/lit_scene.hpp"
 
 using namespace thaw;
-
-namespace {
-
-Scene sceneWith(const std::string& output) {
-  SceneFiles files;
-  files.main = "lit.toml";
-  files.texts[files.main] =
-      "spacing = 0.1\n[material.water]\n[[body]]\nbox = { size = [1, 1, 1] }\n"
-      "material = \"water\"\n[output]\n" +
-      output;
-  return readScene(files, {});
-}
-
-}  // namespace
+using namespace thaw::test;
 
 TEST(SceneLights, PicturesHaveTheLightsOfTheScene) {
-  const Lighting all = lightingOf(sceneWith("background = \"#203040\"\nbackground_top = \"#000000\"\n"
-                                            "ambient = 0.25\n[[output.light]]\ndirection = [1, 0, 1]\n"
-                                            "colour = \"#ff0000\"\nstrength = 2\nsize = \"2 deg\"\n"
-                                            "[[output.light]]\ndirection = [0, 1, 0]\n")
+  const Lighting all = lightingOf(sceneWithOutput("background = \"#203040\"\nbackground_top = \"#000000\"\n"
+                                                  "ambient = 0.25\n[[output.light]]\ndirection = [1, 0, 1]\n"
+                                                  "colour = \"#ff0000\"\nstrength = 2\nsize = \"2 deg\"\n"
+                                                  "[[output.light]]\ndirection = [0, 1, 0]\n")
                                       .output);
   ASSERT_EQ(all.lights.size(), 2u);
   EXPECT_FLOAT_EQ(all.lights[0].colour.x, 2);
@@ -40,5 +27,5 @@ TEST(SceneLights, BadLightsAreRefused) {
   for (const char* output :
        {"sun = [0, 0, 1]\n[[output.light]]\ndirection = [1, 0, 1]\n", "[[output.light]]\nstrength = 1\n",
         "[[output.light]]\ndirection = [0, 0, 0]\n", "background_top = \"#000000\"\n"})
-    EXPECT_THROW(sceneWith(output), SceneErrors) << output;
+    EXPECT_THROW(sceneWithOutput(output), SceneErrors) << output;
 }

@@ -5,20 +5,15 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/scene/read_scene.hpp"
+#include "tests/unit/io/lit_scene.hpp"
 
 using namespace thaw;
+using namespace thaw::test;
 
 namespace {
 
 nlohmann::ordered_json lightingOfView(const std::string& output) {
-  SceneFiles files;
-  files.main = "lit.toml";
-  files.texts[files.main] =
-      "spacing = 0.1\n[material.water]\n[[body]]\nbox = { size = [1, 1, 1] }\n"
-      "material = \"water\"\n[output]\n" +
-      output;
-  return sceneView(readScene(files, {}))["lighting"];
+  return sceneView(sceneWithOutput(output))["lighting"];
 }
 
 TEST(SceneView, HasTheLightsOfPictures) {

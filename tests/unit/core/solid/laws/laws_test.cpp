@@ -178,8 +178,8 @@ TEST(Laws, LanesOfAGroupDoNotDependOnEachOther) {
   }
 }
 
-/// Returns the largest difference between forces and differences of the total energy, over the largest force,
-/// of a body in which every fourth particle has this material, and is elastic elsewhere.
+/// Returns the largest difference between forces and differences of the total energy, over the largest force.
+/// Every fourth particle of the body has this material; the others are elastic.
 double errorOfForces(const Material& m, bool freezing) {
   const auto points = lattice({4, 3, 3}, 0.1, 0.2);
   BodyOptions options;
