@@ -13,26 +13,32 @@ namespace {
 
 bool vanished(const Wall& w, double since) { return !w.present && since < w.properties.until; }
 
+/// A particle with its contacts before or after the walls vanish.
+struct ParticleContacts {
+  std::uint32_t row;
+  WallSpring spring;
+  std::span<const WallContact> list;
+};
+
 /// Returns the stored energy (J) of a particle as far as it depends on these contacts. added: as for
 /// wallRelativeDensity.
-double energyWith(const WallContext& x, const LiquidMeasure& measure, std::uint32_t i,
-                  std::span<const WallContact> contacts, std::vector<double>& added) {
+double energyWith(const WallContext& x, const LiquidMeasure& measure, const ParticleContacts& contacts,
+                  std::vector<double>& added) {
   const WallView& w = x.world;
   const Continuum& p = w.particles;
   const Modules& m = w.modules;
+  const std::uint32_t i = contacts.row;
   double energy = 0;
-  if (!touchesAsPiece(p, i)) {
-    const WallSpring spring = wallSpring(x, i);
-    for (const WallContact& c : contacts) energy += spring.energy(c.distance);
-  }
+  if (!touchesAsPiece(p, i))
+    for (const WallContact& c : contacts.list) energy += contacts.spring.energy(c.distance);
   const double f = liquidFraction(p, i);
   if (m.fluid && !m.continuity) {
-    const double walls = wallRelativeDensity({x.tables, w.grid.support}, contacts, added);
+    const double walls = wallRelativeDensity({x.tables, w.grid.support}, contacts.list, added);
     const auto summed = static_cast<float>(static_cast<double>(p.relativeDensity[i]) +
                                            measure.inverseLatticeSum * walls);
     energy += compressionAt({w.scene, m, w.grid, x.liquids}, p, i, f, static_cast<double>(summed));
   }
-  if (m.surfaceEnergy) energy += surfaceEnergyWith({w, measure.surface}, i, contacts);
+  if (m.surfaceEnergy) energy += surfaceEnergyWith({w, measure.surface}, i, contacts.list);
   return energy;
 }
 
@@ -55,7 +61,9 @@ void findVanished(const WallContext& x, double since, VanishedWalls& v) {
       x.fast,
       x.steady};
   findWallContacts(before, v.contacts);
+  v.springs.clear();
   for (WallContact& c : v.contacts.list) {
+    v.springs.push_back(wallSpring(x, c.row));
     const Wall& wall = v.walls.list[c.wall];
     if (!vanished(w.walls.list[c.wall], since)) continue;
     const Vec3d velocity = w.particles.velocity[c.row] - wallVelocity(wall, w.particles.position[c.row]);
@@ -71,8 +79,9 @@ void recordVanished(const WallContext& x, const LiquidMeasure& measure, Vanished
   for (std::size_t begin = 0, end; begin < list.size(); begin = end) {
     for (end = begin; end < list.size() && list[end].row == list[begin].row;) end++;
     const std::uint32_t i = list[begin].row;
-    const double before = energyWith(x, measure, i, std::span(list).subspan(begin, end - begin), added),
-                 after = energyWith(x, measure, i, contactsOf(now, i), added);
+    const ParticleContacts old{i, v.springs[begin], std::span(list).subspan(begin, end - begin)};
+    const ParticleContacts left{i, wallSpring(x, i), contactsOf(now, i)};
+    const double before = energyWith(x, measure, old, added), after = energyWith(x, measure, left, added);
     if (after != before) x.world.ledger.wallWork.add(after - before);
   }
 }

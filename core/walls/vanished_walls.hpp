@@ -3,6 +3,8 @@
 // the obstacle, its part of a summed density, and its part of their surface energy. The change of stored
 // energy is the obstacle's work.
 #pragma once
+#include <vector>
+
 #include "core/fluid/laws/surface_energy.hpp"
 #include "core/walls/wall_forces.hpp"
 
@@ -12,6 +14,8 @@ namespace thaw {
 struct VanishedWalls {
   Walls walls;
   WallContacts contacts;
+  /// Springs of the contacts. Without the walls, frozen particles have longer ones (Continuum::contactOffset).
+  std::vector<WallSpring> springs;
 };
 
 /// Returns true if a wall that was present at a time (s) has vanished since.

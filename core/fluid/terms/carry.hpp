@@ -113,11 +113,17 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     compression = at.doubles(x.compression);
   }
 
+  /// Mask of the particles with neighbours on one side only.
+  THAW_INLINE typename L::Mask oneSided() const {
+    const L limit = L(surfaceAsymmetry) * s.gradientSize;
+    return dotOf(s.gradient, s.gradient) > limit * limit;
+  }
+
   /// Marks the free surface by the moment of the neighbourhood, without moments by its asymmetry.
   THAW_INLINE void findFreeSurface() {
-    const L one(1.0), zero(0.0), limit = L(surfaceAsymmetry) * s.gradientSize;
+    const L one(1.0), zero(0.0);
     const L inside = Corrected ? select(eigenvaluesAbove(s.moment, L(surfaceMoment)), one, zero)
-                               : select(dotOf(s.gradient, s.gradient) > limit * limit, zero, one);
+                               : select(oneSided(), zero, one);
     atSurface = select(s.liquidFraction > zero, one - inside, zero);
     const L largest = max(max(sizeOf(s.surface.x), sizeOf(s.surface.y)), sizeOf(s.surface.z));
     besideSurface = select(largest > L(1e-6), one, zero);
@@ -190,13 +196,15 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
   }
 
   /// Inverse moment minus 1, times the interior weight: 0 up to a summed relative density of 0.9 (truncated
-  /// by a free surface), 1 from 0.95. 0 where an eigenvalue is below 0.4: corrections above 2.5 would be
-  /// unstable at this step.
+  /// by a free surface), 1 from 0.95. 0 where neighbours are on one side, as at the surface of a thin jet:
+  /// there, particles so close together that they reach 0.9 would oscillate. 0 where an eigenvalue is below
+  /// 0.4: corrections above 2.5 would be unstable at this step.
   THAW_INLINE Tensor<L> correctionNow() const {
     const Tensor<L>& m = s.moment;
     const L zero(0.0), one(1.0);
     L weight = clamped((s.relativeDensity - L(0.9)) * L(1 / 0.05), zero, one);
     weight = select(eigenvaluesAbove(m, L(0.4)), weight, zero);
+    weight = select(oneSided(), zero, weight);
     if constexpr (Mixed) weight = select(s.liquidKernelSum > zero, weight, zero);
     const L xx = m.yy * m.zz - m.yz * m.yz, xy = m.xz * m.yz - m.xy * m.zz, xz = m.xy * m.yz - m.xz * m.yy;
     const L determinant = m.xx * xx + m.xy * xy + m.xz * xz;

@@ -65,6 +65,24 @@ TEST(VanishedWalls, LedgerHasTheEnergyOfReleasedSprings) {
   EXPECT_LT(std::abs(jump.residual), 0.05 * std::abs(jump.work));
 }
 
+// Solids that froze close to an obstacle have shorter springs, until no obstacle is near.
+TEST(VanishedWalls, LedgerHasTheEnergyOfSpringsOfFrozenSolids) {
+  Scene s = cubeOnFloor(1e-2, 0.4);
+  s.domain.gravity = {0, 0, -9.81};
+  s.bodies[0].shape = boxOf({-0.04, -0.04, -0.002}, {0.04, 0.04, 0.078});
+  Material& m = s.materials[0];
+  m.young = {2e4, 0};
+  m.damping = 4;
+  m.solidus = m.liquidus = 350;
+  m.latentHeat = 1e5;
+  m.conductivity = {0.2, 0.2};
+  s.obstacles[0].temperature = 300;
+  addFloor(s).shape.point = {0, 0, -0.1};
+  const Jump jump = jumpOf(s);
+  EXPECT_LT(jump.work, 0);
+  EXPECT_LT(std::abs(jump.residual), 0.05 * std::abs(jump.work));
+}
+
 TEST(VanishedWalls, LedgerHasTheCompressionEnergyOfSummedDensities) {
   Scene s = cubeOnFloor(1e-2, 0.4);
   s.domain.gravity = {0, 0, -9.81};
