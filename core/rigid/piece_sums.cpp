@@ -7,18 +7,20 @@
 namespace thaw {
 namespace {
 
-/// Sums at the home rank by piece.
-using HomeSums = std::unordered_map<std::uint64_t, std::vector<std::int64_t>>;
+/// Words at the home rank by piece.
+using HomeWords = std::unordered_map<std::uint64_t, std::vector<std::uint64_t>>;
 
-/// Adds all received words by piece. Integers: the order does not matter.
-HomeSums addReceived(const std::vector<WordStream>& in, std::size_t perPiece) {
-  HomeSums home;
+/// Combines all received words by piece. The order does not matter.
+template<class Combine>
+HomeWords combineReceived(const std::vector<WordStream>& in, std::size_t perPiece, Combine&& combine) {
+  HomeWords home;
   for (const WordStream& s : in)
     for (std::size_t k = 0; k < s.words.size(); k += perPiece + 1) {
-      std::vector<std::int64_t>& sum = home[s.words[k]];
-      sum.resize(perPiece, 0);
-      for (std::size_t n = 0; n < perPiece; n++)
-        sum[n] = static_cast<std::int64_t>(static_cast<std::uint64_t>(sum[n]) + s.words[k + 1 + n]);
+      const auto first = s.words.begin() + static_cast<std::ptrdiff_t>(k + 1);
+      const auto [at, made] = home.try_emplace(s.words[k], first,
+                                               first + static_cast<std::ptrdiff_t>(perPiece));
+      for (std::size_t n = 0; n < perPiece && !made; n++)
+        at->second[n] = combine(at->second[n], s.words[k + 1 + n]);
     }
   return home;
 }
@@ -29,14 +31,21 @@ void RankPieceExchange::sum(std::span<std::int64_t> words, std::size_t perPiece)
   constexpr std::size_t mostDense = 16384;  // words
   if (all_.size() == 1 || (shared_ && shared_->total == 0)) return;
   if (shared_ && shared_->total * perPiece <= mostDense) sumDense(words, perPiece);
-  else sumAtHomes(words, perPiece);
+  else
+    combineAtHomes({reinterpret_cast<std::uint64_t*>(words.data()), words.size()}, perPiece,
+                   [](std::uint64_t a, std::uint64_t b) { return a + b; });
+}
+
+void RankPieceExchange::minimum(std::span<std::uint64_t> words) {
+  if (all_.size() == 1 || (shared_ && shared_->total == 0)) return;
+  combineAtHomes(words, 1, [](std::uint64_t a, std::uint64_t b) { return std::min(a, b); });
 }
 
 void RankPieceExchange::sumDense(std::span<std::int64_t> words, std::size_t perPiece) {
   dense_.assign(shared_->total * perPiece, 0);
   const auto eachShared = [&](auto&& use) {
     for (std::size_t row = 0; row < ids_.size(); row++)
-      if (isShared(row))
+      if (shared(row))
         for (std::size_t n = 0; n < perPiece; n++)
           use(words[row * perPiece + n], dense_[shared_->number[row] * perPiece + n]);
   };
@@ -45,32 +54,34 @@ void RankPieceExchange::sumDense(std::span<std::int64_t> words, std::size_t perP
   eachShared([](std::int64_t& word, std::int64_t sum) { word = sum; });
 }
 
-void RankPieceExchange::sumAtHomes(std::span<std::int64_t> words, std::size_t perPiece) {
+template<class Combine>
+void RankPieceExchange::combineAtHomes(std::span<std::uint64_t> words, std::size_t perPiece,
+                                       Combine&& combine) {
   const int ranks = all_.size();
   WordStreams out(ranks);
   std::vector<std::vector<std::uint32_t>> rowsTo(static_cast<std::size_t>(ranks));
   for (std::size_t row = 0; row < ids_.size(); row++) {
-    if (!isShared(row)) continue;
+    if (!shared(row)) continue;
     const int home = homeRank(ids_[row], ranks);
     std::vector<std::uint64_t>& to = out.to(home);
     to.push_back(ids_[row]);
-    for (std::size_t n = 0; n < perPiece; n++)
-      to.push_back(static_cast<std::uint64_t>(words[row * perPiece + n]));
+    for (std::size_t n = 0; n < perPiece; n++) to.push_back(words[row * perPiece + n]);
     rowsTo[static_cast<std::size_t>(home)].push_back(static_cast<std::uint32_t>(row));
   }
   const std::vector<WordStream> in = all_.sparseAllToAll(std::move(out.lists));
-  const HomeSums home = addReceived(in, perPiece);
+  const HomeWords home = combineReceived(in, perPiece, combine);
   WordStreams back(ranks);
   for (const WordStream& s : in) {
     std::vector<std::uint64_t>& to = back.to(s.rank);
-    for (std::size_t k = 0; k < s.words.size(); k += perPiece + 1)
-      for (const std::int64_t w : home.at(s.words[k])) to.push_back(static_cast<std::uint64_t>(w));
+    for (std::size_t k = 0; k < s.words.size(); k += perPiece + 1) {
+      const std::vector<std::uint64_t>& combined = home.at(s.words[k]);
+      to.insert(to.end(), combined.begin(), combined.end());
+    }
   }
   for (const WordStream& s : all_.sparseAllToAll(std::move(back.lists))) {
     const std::vector<std::uint32_t>& rows = rowsTo[static_cast<std::size_t>(s.rank)];
     for (std::size_t k = 0; k < rows.size(); k++)
-      for (std::size_t n = 0; n < perPiece; n++)
-        words[rows[k] * perPiece + n] = static_cast<std::int64_t>(s.words[k * perPiece + n]);
+      for (std::size_t n = 0; n < perPiece; n++) words[rows[k] * perPiece + n] = s.words[k * perPiece + n];
   }
 }
 

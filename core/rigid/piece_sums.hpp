@@ -13,13 +13,6 @@
 
 namespace thaw {
 
-/// Returns the rank that adds the sums of a piece.
-inline int homeRank(std::uint64_t piece, int ranks) {
-  std::uint64_t h = piece * 0x9e3779b97f4a7c15u;
-  h ^= h >> 32;
-  return static_cast<int>(h % static_cast<std::uint64_t>(ranks));
-}
-
 /// Adds words of pieces over all ranks that have them. Few words of shared pieces are added by one reduction
 /// over all ranks, many at the home rank of each piece: the sums are the same.
 class RankPieceExchange : public PieceExchange {
@@ -28,11 +21,16 @@ class RankPieceExchange : public PieceExchange {
   RankPieceExchange(Reducer& all, std::span<const std::uint64_t> ids, const SharedPieces* shared)
       : all_(all), ids_(ids), shared_(shared) {}
   void sum(std::span<std::int64_t> words, std::size_t perPiece) override;
+  void minimum(std::span<std::uint64_t> words) override;
+  std::uint64_t id(std::size_t row) const override { return ids_[row]; }
+  bool shared(std::size_t row) const override {
+    return all_.size() > 1 && (!shared_ || shared_->number[row] != SharedPieces::notShared);
+  }
 
  private:
-  bool isShared(std::size_t row) const { return !shared_ || shared_->number[row] != SharedPieces::notShared; }
   void sumDense(std::span<std::int64_t> words, std::size_t perPiece);
-  void sumAtHomes(std::span<std::int64_t> words, std::size_t perPiece);
+  template<class Combine>
+  void combineAtHomes(std::span<std::uint64_t> words, std::size_t perPiece, Combine&& combine);
   Reducer& all_;
   std::span<const std::uint64_t> ids_;
   const SharedPieces* shared_;

@@ -398,10 +398,24 @@ std::vector<FoundContact> findContacts(const ContactSearch& search, std::span<co
   findPairs(s);
   findObstacles(s);
   reduceContacts(s.found, search.pieces, search.scene.spacing, all);
-  const Continuum& p = search.particles;
-  for (FoundContact& f : s.found)
-    if (p.contactPartner[f.particle] == f.partner) f.contact.impulse = p.contactImpulse[f.particle];
+  guessImpulses(search.particles, s.found);
   return std::move(s.found);
+}
+
+void guessImpulses(const Continuum& p, std::span<FoundContact> contacts) {
+  constexpr std::size_t none = ~std::size_t{0};
+  std::vector<std::size_t> best(p.owned, none);
+  const auto rank = [&](std::size_t k) {
+    const RigidContact& c = contacts[k].contact;
+    return std::tuple(-dot(c.normal, p.contactImpulse[contacts[k].particle]), c.keyB, c.gap);
+  };
+  for (std::size_t k = 0; k < contacts.size(); k++) {
+    const std::uint32_t i = contacts[k].particle;
+    if (p.contactPartner[i] != contacts[k].partner) continue;
+    if (best[i] == none || rank(k) < rank(best[i])) best[i] = k;
+  }
+  for (const std::size_t k : best)
+    if (k != none) contacts[k].contact.impulse = p.contactImpulse[contacts[k].particle];
 }
 
 void keepImpulses(std::span<const FoundContact> contacts, const Pieces& pieces, Continuum& p) {

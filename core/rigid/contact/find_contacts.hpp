@@ -39,9 +39,14 @@ inline constexpr std::uint64_t obstacleBit = std::uint64_t{1} << 63;
 /// Returns the contacts that may close within the step, each on the rank that owns `particle`. motion:
 /// velocities of all rows of pieces, as the solver gets them. Patches of contact between two pieces are
 /// reduced to their outline, which supports the same forces and torques. Sleeping pieces have contacts with
-/// awake pieces and moving obstacles only. The first guesses are those of keepImpulses. Collective.
+/// awake pieces and moving obstacles only. The first guesses are those of guessImpulses. Collective.
 std::vector<FoundContact> findContacts(const ContactSearch& search, std::span<const PieceMotion> motion,
                                        Reducer& all);
+
+/// Sets first guesses: the stored impulse of a particle goes to the contact with its partner along whose
+/// normal it acts most. If each of several contacts had it, the impulses of wedged pieces would grow from
+/// step to step.
+void guessImpulses(const Continuum& particles, std::span<FoundContact> contacts);
 
 /// Stores the solved impulses in the particles, as first guesses of the next step. Particles of sleeping
 /// pieces keep theirs.

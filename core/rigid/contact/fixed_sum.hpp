@@ -2,9 +2,12 @@
 // Sums of multiples of a shared unit. The result does not depend on the order of the terms.
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+
+#include "core/halo/halo.hpp"
 
 namespace thaw {
 
@@ -55,5 +58,20 @@ inline double fixedValue(const std::int64_t* words, double unit) {
   const std::int64_t low = words[1] - carry * (std::int64_t{1} << fixedLowBits);
   return (static_cast<double>(words[0] + carry) * fixedHigh + static_cast<double>(low)) * unit;
 }
+
+/// Exact sums of N numbers over contacts and ranks, in units of a shared scale.
+template<std::size_t N> struct ContactSums {
+  double units[N];
+  FixedSums<N> here{};
+  std::array<std::int64_t, 2 * N> words{};
+
+  explicit ContactSums(FixedUnit unit) { std::fill_n(units, N, unit.unit); }
+  void add(const double (&terms)[N]) { here.add(terms, units); }
+  void sum(Reducer& all) {
+    for (std::size_t k = 0; k < N; k++) here.store(k, units[k], &words[2 * k]);
+    all.sum(words);
+  }
+  double value(std::size_t k) const { return fixedValue(&words[2 * k], units[k]); }
+};
 
 }  // namespace thaw

@@ -7,6 +7,13 @@
 
 namespace thaw {
 
+/// Returns the rank that combines the data of a piece from all ranks.
+inline int homeRank(std::uint64_t piece, int ranks) {
+  std::uint64_t h = piece * 0x9e3779b97f4a7c15u;
+  h ^= h >> 32;
+  return static_cast<int>(h % static_cast<std::uint64_t>(ranks));
+}
+
 class PieceExchange {
  public:
   virtual ~PieceExchange() = default;
@@ -16,12 +23,24 @@ class PieceExchange {
   /// overflow. Rows that only this rank holds stay as they are. Collective: every rank calls it equally
   /// often, with any number of rows.
   virtual void sum(std::span<std::int64_t> words, std::size_t perPiece) = 0;
+
+  /// Replaces the word of each row by the smallest one of all holders. Collective.
+  virtual void minimum(std::span<std::uint64_t> words) = 0;
+
+  /// Returns the name of a row, the same on all ranks that hold it.
+  virtual std::uint64_t id(std::size_t row) const = 0;
+
+  /// Returns true if further ranks may hold the row. Every holder gets the same answer.
+  virtual bool shared(std::size_t row) const = 0;
 };
 
 /// The exchange of a single process.
 class SerialPieceExchange : public PieceExchange {
  public:
   void sum(std::span<std::int64_t>, std::size_t) override {}
+  void minimum(std::span<std::uint64_t>) override {}
+  std::uint64_t id(std::size_t row) const override { return row; }
+  bool shared(std::size_t) const override { return false; }
 };
 
 }  // namespace thaw

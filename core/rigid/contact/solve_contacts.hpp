@@ -13,7 +13,8 @@ namespace thaw {
 struct ContactSettings {
   double step = 0;            ///< s
   double tolerance = 1e-6;    ///< m/s, largest velocity error of a contact at which the iteration stops
-  double impactPart = 0;      ///< 1, the same as a part of the largest velocity that impulses must change
+  double impactPart = 0;      ///< 1, the same as a part of the largest velocity that impulses of an
+                              ///< island must change
   int mostIterations = 500;   ///< limit for each of the two solves
   double impactSpeed = 0;     ///< m/s; slower approaches have no restitution
   double slop = 0;            ///< m, overlap that is not corrected
@@ -22,10 +23,11 @@ struct ContactSettings {
 };
 
 struct ContactResult {
-  int iterations = 0;            ///< iterations of the velocity solve
-  int correctionIterations = 0;  ///< iterations of the overlap solve
-  double residual = 0;           ///< m/s, largest velocity error of a contact, over all ranks
-  double tolerance = 0;          ///< m/s, the larger one of both tolerances
+  int iterations = 0;            ///< iterations of the velocity solve, most of all islands
+  int correctionIterations = 0;  ///< iterations of the overlap solve, most of all islands
+  double residual = 0;           ///< m/s, largest velocity error of a contact, of the island that is furthest
+                                 ///< from its tolerance
+  double tolerance = 0;          ///< m/s, the larger one of both tolerances in that island
   double dissipated = 0;         ///< J, kinetic energy before minus after, less the work of obstacles; over
                                  ///< all ranks
   double obstacleWork = 0;       ///< J, done by moving obstacles on pieces; over all ranks
@@ -35,11 +37,12 @@ struct ContactResult {
 };
 
 /// Finds impulses with Signorini's condition, Coulomb's friction cone and Newton's restitution at velocity
-/// level, by an accelerated projected gradient method with mass splitting [MHNT15] [TBV12]. A contact with
-/// gap > 0 may close within the step, but no further. Overlap is removed by displacements without momentum.
-/// Sets impulses of contacts, velocity and spin of rows, and changes (one for each row).
-/// Requires: step > 0; normals are unit vectors; each contact is given on exactly one rank. Ensures: the bits
-/// do not depend on the order of contacts, nor on the ranks that hold them. Collective.
+/// level. Each island of pieces that touch is solved by itself, on one rank (solve_island.hpp). A contact
+/// with gap > 0 may close within the step, but no further. Overlap is removed by displacements without
+/// momentum. Sets impulses of contacts, velocity and spin of movable rows, and their changes (one for each
+/// row). Requires: step > 0; normals are unit vectors; each contact is given on exactly one rank; keys or
+/// normals of contacts differ. Ensures: the bits do not depend on the order of contacts, nor on the ranks
+/// that hold them. Collective.
 ContactResult solveContacts(std::span<PieceMotion> pieces, std::span<RigidContact> contacts,
                             const ContactSettings& settings, PieceExchange& exchange, Reducer& all,
                             std::span<PieceChange> changes);

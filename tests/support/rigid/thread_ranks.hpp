@@ -83,24 +83,38 @@ class ThreadPieceExchange : public PieceExchange {
   ThreadPieceExchange(ThreadRanks& ranks, int rank, std::span<const std::uint64_t> ids)
       : ranks_(ranks), rank_(static_cast<std::size_t>(rank)), ids_(ids) {}
   void sum(std::span<std::int64_t> words, std::size_t perPiece) override {
+    combine(words, perPiece, [](std::int64_t a, std::int64_t b) { return a + b; });
+  }
+  void minimum(std::span<std::uint64_t> words) override {
+    std::vector<std::int64_t> bits(words.begin(), words.end());
+    combine(bits, 1, [](std::int64_t a, std::int64_t b) {
+      return static_cast<std::uint64_t>(a) < static_cast<std::uint64_t>(b) ? a : b;
+    });
+    std::copy(bits.begin(), bits.end(), words.begin());
+  }
+  std::uint64_t id(std::size_t row) const override { return ids_[row]; }
+  bool shared(std::size_t) const override { return true; }
+
+ private:
+  template<class Combine> void combine(std::span<std::int64_t> words, std::size_t perPiece, Combine&& both) {
     ranks_.words[rank_] = words;
     ranks_.ids[rank_] = ids_;
     ranks_.barrier.arrive_and_wait();
-    std::map<std::uint64_t, std::vector<std::int64_t>> sums;
+    std::map<std::uint64_t, std::vector<std::int64_t>> results;
     for (std::size_t r = 0; r < ranks_.words.size(); r++)
       for (std::size_t row = 0; row < ranks_.ids[r].size(); row++) {
-        auto& s = sums[ranks_.ids[r][row]];
-        s.resize(perPiece);
-        for (std::size_t k = 0; k < perPiece; k++) s[k] += ranks_.words[r][row * perPiece + k];
+        const auto first = ranks_.words[r].begin() + static_cast<std::ptrdiff_t>(row * perPiece);
+        const auto [at, made] = results.try_emplace(ranks_.ids[r][row], first,
+                                                    first + static_cast<std::ptrdiff_t>(perPiece));
+        for (std::size_t k = 0; k < perPiece && !made; k++)
+          at->second[k] = both(at->second[k], ranks_.words[r][row * perPiece + k]);
       }
     ranks_.barrier.arrive_and_wait();
     for (std::size_t row = 0; row < ids_.size(); row++)
-      std::copy(sums[ids_[row]].begin(), sums[ids_[row]].end(),
+      std::copy(results[ids_[row]].begin(), results[ids_[row]].end(),
                 words.begin() + static_cast<std::ptrdiff_t>(row * perPiece));
     ranks_.barrier.arrive_and_wait();
   }
-
- private:
   ThreadRanks& ranks_;
   std::size_t rank_;
   std::span<const std::uint64_t> ids_;

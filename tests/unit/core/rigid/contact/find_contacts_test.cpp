@@ -185,6 +185,26 @@ TEST(FindContacts, ImpulsesAreFirstGuessesOfTheNextStep) {
   EXPECT_LE(rig.last.iterations, 3);
 }
 
+TEST(FindContacts, OneOfTheContactsOfAParticleGetsItsImpulse) {
+  Continuum p;
+  p.activate(p.contactPartner);
+  p.activate(p.contactImpulse);
+  p.resize(2, 0);
+  p.contactPartner[0] = p.contactPartner[1] = 7;
+  p.contactImpulse[0] = {0, 3, 4};
+  std::vector<FoundContact> contacts(4);
+  for (std::size_t k = 0; k < contacts.size(); k++) {
+    contacts[k].partner = k == 2 ? 9 : 7;
+    contacts[k].contact.keyB = k;
+  }
+  contacts[3].particle = 1;
+  contacts[0].contact.normal = contacts[3].contact.normal = {0, 1, 0};
+  contacts[1].contact.normal = contacts[2].contact.normal = {0, 0, 1};
+  guessImpulses(p, contacts);
+  EXPECT_TRUE(contacts[1].contact.impulse == (Vec3d{0, 3, 4}));
+  for (const std::size_t k : {0, 2, 3}) EXPECT_TRUE(contacts[k].contact.impulse == Vec3d{});
+}
+
 TEST(ReduceContacts, TheOutlineIsTheSameOnAnyRanks) {
   // a patch of 15 x 10 points in a plane, and a second one with another partner
   std::vector<FoundContact> patch;

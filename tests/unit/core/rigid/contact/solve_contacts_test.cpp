@@ -136,6 +136,34 @@ TEST(SolveContacts, TheRanksOfContactsDoNotChangeABit) {
   }
 }
 
+TEST(SolveContacts, IslandsDoNotAffectEachOther) {
+  // two nets that touch the same prescribed piece
+  const auto net = [](int seed) {
+    Problem p = randomNet(10, 25);
+    for (PieceMotion& m : p.pieces) m.velocity = static_cast<double>(seed) * m.velocity;
+    p.pieces.emplace_back();
+    for (std::size_t k = 0; k < p.contacts.size(); k += 5) p.contacts[k].b = 10;
+    return p;
+  };
+  Problem first = net(1), second = net(3), both = first;
+  for (std::size_t r = 0; r < 10; r++) both.pieces.push_back(second.pieces[r]);
+  for (RigidContact c : second.contacts) {
+    c.a += 11;
+    if (c.b != noPiece && c.b != 10) c.b += 11;
+    c.keyA += 100;
+    both.contacts.push_back(c);
+  }
+  const Solution a = solve(first, settingsOf()), b = solve(second, settingsOf()),
+                 ab = solve(both, settingsOf());
+  EXPECT_EQ(ab.result.iterations, std::max(a.result.iterations, b.result.iterations));
+  for (std::size_t r = 0; r < 10; r++) {
+    expectSameBits(both.pieces[r].velocity, first.pieces[r].velocity);
+    expectSameBits(both.pieces[r + 11].velocity, second.pieces[r].velocity);
+    expectSameBits(ab.changes[r + 11].shift, b.changes[r].shift);
+  }
+  EXPECT_TRUE(both.pieces[10].velocity == Vec3d{});
+}
+
 TEST(SolveContacts, ContactsFulfilSignoriniAndCoulomb) {
   Problem p = randomNet(20, 30);
   for (RigidContact& c : p.contacts) c.restitution = 0;
@@ -252,6 +280,7 @@ int iterationsOfTower(double ratio, bool warm) {
         c.armB = {c.armA.x, c.armA.y, 0.5};
         c.normal = {0, 0, 1};
         c.friction = 0.5;
+        c.keyA = p.contacts.size();
         c.impulse = guess[p.contacts.size()];
         p.contacts.push_back(c);
       }

@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/rigid/contact/solve_island.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace thaw {
+namespace {
+
+/// Motion of a row that impulses change.
+struct Row {
+  Vec3d velocity{}, spin{};
+};
+
+/// A contact in a basis of its normal and two tangents.
+struct Contact {
+  std::uint32_t a = 0, b = noPiece;
+  Vec3d axis[3];               ///< normal and tangents
+  Vec3d armA{}, armB{};        ///< m
+  double offset[3] = {};       ///< m/s, free velocity less the target
+  double impulse[3] = {};      ///< N s
+  double response[3][3] = {};  ///< 1/kg, velocity of the contact by its own impulse
+  double inverse[3] = {};      ///< kg, 11, 12 and 22 of the inverse of the tangential response
+  double stiffest = 0;         ///< 1/kg, largest eigenvalue of the tangential response
+  double friction = 0;
+  double before[3] = {};  ///< N s, impulse at the start of the sweep
+  double other[3] = {};   ///< N s, search direction, or impulse after the last sweep
+};
+
+struct Problem {
+  std::span<const PieceMotion> pieces;
+  std::vector<Contact> contacts;
+  std::vector<Row> rows;           ///< changes by the impulses
+  std::vector<Row> before, other;  ///< the same by the impulses of the contacts of these names
+};
+
+Vec3d relativeVelocity(const RigidContact& c, std::span<const PieceMotion> pieces) {
+  const Vec3d u = velocityAtArm(pieces[c.a], c.armA);
+  return u - (c.b == noPiece ? c.otherVelocity : velocityAtArm(pieces[c.b], c.armB));
+}
+
+/// Least relative normal velocity of a contact after the step: it may close its gap, and rebounds if it
+/// closes it fast.
+double targetOf(const RigidContact& c, const ContactSettings& s, const Vec3d& u) {
+  const double approach = -dot(u, c.normal), room = std::max(0.0, c.gap) / s.step;
+  const bool impact = c.restitution > 0 && approach > room && approach > s.impactSpeed;
+  return impact ? c.restitution * approach : -room;
+}
+
+/// Adds an impulse on a row at a point.
+void push(const PieceMotion& piece, const Vec3d& arm, const Vec3d& impulse, Row& row) {
+  row.velocity += piece.inverseMass * impulse;
+  row.spin += piece.inverseInertia * cross(arm, impulse);
+}
+
+void push(Problem& p, const Contact& c, const Vec3d& impulse) {
+  push(p.pieces[c.a], c.armA, impulse, p.rows[c.a]);
+  if (c.b != noPiece) push(p.pieces[c.b], c.armB, -impulse, p.rows[c.b]);
+}
+
+Vec3d vectorOf(const Contact& c, const double (&x)[3]) {
+  return x[0] * c.axis[0] + x[1] * c.axis[1] + x[2] * c.axis[2];
+}
+
+/// Change of the relative velocity by the rows.
+Vec3d changeOf(const Problem& p, const Contact& c) {
+  Vec3d u = p.rows[c.a].velocity + cross(p.rows[c.a].spin, c.armA);
+  if (c.b != noPiece) u -= p.rows[c.b].velocity + cross(p.rows[c.b].spin, c.armB);
+  return u;
+}
+
+void setAxes(Contact& c, const Vec3d& normal) {
+  int least = 0;
+  for (int a = 1; a < 3; a++)
+    if (std::abs(normal[a]) < std::abs(normal[least])) least = a;
+  Vec3d e;
+  e[least] = 1;
+  c.axis[0] = normal;
+  c.axis[1] = normalized(cross(normal, e));
+  c.axis[2] = cross(normal, c.axis[1]);
+}
+
+void setResponse(std::span<const PieceMotion> pieces, Contact& c) {
+  for (int k = 0; k < 3; k++) {
+    Row a, b;
+    push(pieces[c.a], c.armA, c.axis[k], a);
+    if (c.b != noPiece) push(pieces[c.b], c.armB, c.axis[k], b);
+    const Vec3d u = a.velocity + cross(a.spin, c.armA) + b.velocity + cross(b.spin, c.armB);
+    for (int l = 0; l < 3; l++) c.response[l][k] = dot(u, c.axis[l]);
+  }
+  const double t11 = c.response[1][1], t12 = c.response[1][2], t22 = c.response[2][2];
+  const double determinant = t11 * t22 - t12 * t12, half = 0.5 * (t11 - t22);
+  c.stiffest = 0.5 * (t11 + t22) + std::sqrt(half * half + t12 * t12);
+  if (!(determinant > 0)) return;
+  c.inverse[0] = t22 / determinant;
+  c.inverse[1] = -t12 / determinant;
+  c.inverse[2] = t11 / determinant;
+}
+
+/// Cuts the tangential impulse to Coulomb's disc.
+void cutTangential(Contact& c, double (&t)[2]) {
+  const double most = c.friction * c.impulse[0], square = t[0] * t[0] + t[1] * t[1];
+  if (!(square > most * most)) return;
+  const double factor = most > 0 ? most / std::sqrt(square) : 0;
+  t[0] *= factor;
+  t[1] *= factor;
+}
+
+/// Solves a contact for the present velocities of its rows. Returns its velocity error (m/s).
+double relax(Problem& p, Contact& c) {
+  const Vec3d change = changeOf(p, c);
+  double u[3], step[3];
+  for (int k = 0; k < 3; k++) u[k] = c.offset[k] + dot(change, c.axis[k]);
+  const double normal = std::max(0.0, c.impulse[0] - u[0] / c.response[0][0]);
+  step[0] = normal - c.impulse[0];
+  c.impulse[0] = normal;
+  u[1] += c.response[1][0] * step[0];
+  u[2] += c.response[2][0] * step[0];
+  double t[2] = {c.impulse[1] - (c.inverse[0] * u[1] + c.inverse[1] * u[2]),
+                 c.impulse[2] - (c.inverse[1] * u[1] + c.inverse[2] * u[2])};
+  const double most = c.friction * normal;
+  if (t[0] * t[0] + t[1] * t[1] > most * most) {  // it slides
+    t[0] = c.impulse[1] - u[1] / c.stiffest;
+    t[1] = c.impulse[2] - u[2] / c.stiffest;
+    cutTangential(c, t);
+  }
+  for (int k = 0; k < 2; k++) {
+    step[k + 1] = t[k] - c.impulse[k + 1];
+    c.impulse[k + 1] = t[k];
+  }
+  push(p, c, vectorOf(c, step));
+  return std::max(std::abs(step[0]) * c.response[0][0],
+                  std::sqrt(step[1] * step[1] + step[2] * step[2]) * c.stiffest);
+}
+
+/// Sets the velocities of rows from the impulses of all contacts.
+void sumImpulses(Problem& p) {
+  std::fill(p.rows.begin(), p.rows.end(), Row{});
+  for (const Contact& c : p.contacts) push(p, c, vectorOf(c, c.impulse));
+}
+
+/// Solves each contact once. Returns the largest velocity error (m/s).
+double sweep(Problem& p) {
+  double largest = 0;
+  for (Contact& c : p.contacts)
+    if (c.response[0][0] > 0) largest = std::max(largest, relax(p, c));
+  return largest;
+}
+
+/// Keeps the state before a sweep.
+void keepState(Problem& p) {
+  p.before = p.rows;
+  for (Contact& c : p.contacts) std::copy_n(c.impulse, 3, c.before);
+}
+
+/// Returns the square of the change by the last sweep, in the metric of the contacts.
+double squareOfChange(const Problem& p) {
+  double sum = 0;
+  for (const Contact& c : p.contacts)
+    for (int k = 0; k < 3; k++) {
+      const double d = c.impulse[k] - c.before[k];
+      sum += (k == 0 ? c.response[0][0] : c.stiffest) * d * d;
+    }
+  return sum;
+}
+
+/// Calls use(value, value before the sweep, other value) for all impulses and velocities.
+template<class Use> void eachNumber(Problem& p, Use&& use) {
+  for (Contact& c : p.contacts)
+    for (int k = 0; k < 3; k++) use(c.impulse[k], c.before[k], c.other[k]);
+  for (std::size_t r = 0; r < p.rows.size(); r++)
+    for (int a = 0; a < 3; a++) {
+      use(p.rows[r].velocity[a], p.before[r].velocity[a], p.other[r].velocity[a]);
+      use(p.rows[r].spin[a], p.before[r].spin[a], p.other[r].spin[a]);
+    }
+}
+
+/// Moves impulses along the search direction, which becomes beta times itself plus the change by the sweep.
+void moveAlong(Problem& p, double beta) {
+  eachNumber(p, [&](double& x, double before, double& direction) {
+    const double change = x - before;
+    x += beta * direction;
+    direction = beta * direction + change;
+  });
+}
+
+/// Moves impulses by beta times their change since the last sweep.
+void extrapolate(Problem& p, double beta) {
+  eachNumber(p, [&](double& x, double, double& last) {
+    const double now = x;
+    x += beta * (x - last);
+    last = now;
+  });
+}
+
+/// Returns true if the change by the sweep opposes the step since the last one.
+bool opposes(const Problem& p) {
+  double sum = 0;
+  for (const Contact& c : p.contacts)
+    for (int k = 0; k < 3; k++)
+      sum += (k == 0 ? c.response[0][0] : c.stiffest) * (c.impulse[k] - c.before[k]) *
+             (c.impulse[k] - c.other[k]);
+  return sum < 0;
+}
+
+struct Progress {
+  int iterations = 0;
+  double error = 0;  ///< m/s, largest of the last sweep
+};
+
+/// Conjugate gradients, until no error exceeds the tolerance: the change by a sweep is the gradient, and the
+/// direction restarts where it grows [SNE10].
+Progress conjugateGradients(Problem& p, double tolerance, int most) {
+  Progress at;
+  p.other.assign(p.rows.size(), {});
+  for (Contact& c : p.contacts) std::fill_n(c.other, 3, 0.0);
+  double last = 0;
+  while (at.iterations < most) {
+    keepState(p);
+    at = {at.iterations + 1, sweep(p)};
+    if (at.error <= tolerance) break;
+    const double square = squareOfChange(p);
+    moveAlong(p, last > 0 && square <= last ? square / last : 0);
+    last = square;
+  }
+  return at;
+}
+
+/// Nesterov's momentum, until no error exceeds the tolerance. It restarts where the change by a sweep opposes
+/// the step [OC15].
+Progress momentum(Problem& p, double tolerance, int most) {
+  Progress at;
+  p.other = p.rows;
+  for (Contact& c : p.contacts) std::copy_n(c.impulse, 3, c.other);
+  double t = 1;
+  while (at.iterations < most) {
+    keepState(p);
+    at = {at.iterations + 1, sweep(p)};
+    if (at.error <= tolerance) break;
+    const double last = opposes(p) ? 1 : t, next = 0.5 * (1 + std::sqrt(1 + 4 * last * last));
+    extrapolate(p, (last - 1) / next);
+    t = last < t ? 1 : next;
+  }
+  return at;
+}
+
+/// Iterates until no velocity error exceeds the tolerance. Conjugate gradients converge faster, but stall
+/// where friction makes errors grow slowly. Momentum passes such places, and may itself diverge, so the two
+/// take turns.
+Progress iterate(Problem& p, double tolerance, int most) {
+  constexpr int turn[2] = {30, 120};  // iterations
+  Progress at{0, HUGE_VAL};
+  sumImpulses(p);
+  for (int k = 0; at.iterations < most && !(at.error <= tolerance); k++) {
+    const int end = std::min(turn[k % 2], most - at.iterations);
+    const Progress part = k % 2 ? momentum(p, tolerance, end) : conjugateGradients(p, tolerance, end);
+    at = {at.iterations + part.iterations, part.error};
+  }
+  return at;
+}
+
+void setImpulse(Contact& c, const Vec3d& impulse) {
+  for (int k = 0; k < 3; k++) c.impulse[k] = dot(impulse, c.axis[k]);
+  c.impulse[0] = std::max(0.0, c.impulse[0]);
+  double t[2] = {c.impulse[1], c.impulse[2]};
+  cutTangential(c, t);
+  c.impulse[1] = t[0];
+  c.impulse[2] = t[1];
+}
+
+Problem problemOf(const ContactIsland& island) {
+  Problem p{island.pieces, {}, std::vector<Row>(island.pieces.size()), {}, {}};
+  p.contacts.resize(island.contacts.size());
+  for (std::size_t i = 0; i < p.contacts.size(); i++) {
+    const RigidContact& from = island.contacts[i];
+    Contact& c = p.contacts[i];
+    c.a = from.a;
+    c.b = from.b;
+    c.armA = from.armA;
+    c.armB = from.armB;
+    c.friction = from.friction;
+    setAxes(c, from.normal);
+    setResponse(p.pieces, c);
+    if (c.response[0][0] > 0) setImpulse(c, from.impulse);
+  }
+  return p;
+}
+
+/// Velocities and targets of the contacts of an island.
+struct Demands {
+  std::vector<Vec3d> free;  ///< m/s, relative velocities without impulses
+  double impact = 0;        ///< m/s, largest change that a target demands
+};
+
+Demands demandVelocities(const ContactIsland& island, const ContactSettings& settings, Problem& p) {
+  Demands d;
+  for (std::size_t i = 0; i < p.contacts.size(); i++) {
+    const RigidContact& c = island.contacts[i];
+    const Vec3d u = relativeVelocity(c, island.pieces);
+    const double target = targetOf(c, settings, u);
+    d.free.push_back(u);
+    d.impact = std::max(d.impact, target - dot(u, c.normal));
+    for (int k = 0; k < 3; k++) p.contacts[i].offset[k] = dot(u, p.contacts[i].axis[k]);
+    p.contacts[i].offset[0] -= target;
+  }
+  return d;
+}
+
+/// Finds displacements that remove overlap, and sets them as changes of the rows. Returns the iterations.
+int correctOverlap(ContactIsland& island, const ContactSettings& settings, const Demands& demands,
+                   Problem& p) {
+  double deepest = 0;
+  std::vector<double> error(p.contacts.size());
+  for (std::size_t i = 0; i < p.contacts.size(); i++) {
+    const RigidContact& c = island.contacts[i];
+    const double un = dot(demands.free[i] + changeOf(p, p.contacts[i]), c.normal);
+    const double gap = c.gap + un * settings.step, overlap = -gap - settings.slop;
+    deepest = std::max(deepest, -c.gap);
+    error[i] = overlap > 0 ? -std::min(settings.correction * overlap, settings.mostCorrection) / settings.step
+                           : std::max(0.0, gap) / settings.step;
+  }
+  if (!(deepest > settings.slop)) return 0;
+  for (std::size_t i = 0; i < p.contacts.size(); i++) {
+    Contact& c = p.contacts[i];
+    c.friction = 0;
+    std::fill_n(c.offset, 3, 0.0);
+    std::fill_n(c.impulse, 3, 0.0);
+    c.offset[0] = error[i];
+  }
+  // Later steps correct the rest. Between obstacles without room for a piece, some overlap always remains.
+  constexpr int mostIterations = 50;
+  const double tolerance = std::max(settings.tolerance, 1e-2 * deepest / settings.step);
+  const int iterations = iterate(p, tolerance, std::min(mostIterations, settings.mostIterations)).iterations;
+  sumImpulses(p);
+  for (std::size_t r = 0; r < island.changes.size(); r++) {
+    island.changes[r].shift = settings.step * p.rows[r].velocity;
+    island.changes[r].turn = settings.step * p.rows[r].spin;
+  }
+  return iterations;
+}
+
+}  // namespace
+
+IslandSolve solveIsland(ContactIsland& island, const ContactSettings& settings) {
+  Problem p = problemOf(island);
+  const Demands demands = demandVelocities(island, settings, p);
+  IslandSolve s;
+  s.tolerance = std::max(settings.tolerance, settings.impactPart * demands.impact);
+  const Progress progress = iterate(p, s.tolerance, settings.mostIterations);
+  s.iterations = progress.iterations;
+  s.residual = progress.error;
+  sumImpulses(p);
+  for (std::size_t i = 0; i < p.contacts.size(); i++) {
+    const Contact& c = p.contacts[i];
+    const Vec3d j = vectorOf(c, c.impulse);
+    island.contacts[i].impulse = j;
+    s.mean.push_back(demands.free[i] + 0.5 * changeOf(p, c));
+    island.changes[c.a].impulse += j;
+    island.changes[c.a].angularImpulse += cross(c.armA, j);
+    if (c.b == noPiece) continue;
+    island.changes[c.b].impulse -= j;
+    island.changes[c.b].angularImpulse -= cross(c.armB, j);
+  }
+  const std::vector<Row> rows = p.rows;
+  s.correctionIterations = correctOverlap(island, settings, demands, p);
+  for (std::size_t r = 0; r < rows.size(); r++) {
+    island.pieces[r].velocity += rows[r].velocity;
+    island.pieces[r].spin += rows[r].spin;
+  }
+  return s;
+}
+
+}  // namespace thaw
