@@ -8,6 +8,7 @@
 
 #include "core/domain/extensions.hpp"
 #include "core/domain/sides.hpp"
+#include "core/flow/curvature/tension_hold.hpp"
 #include "core/fluid/laws/surface_energy.hpp"
 #include "core/geometry/basic/shape_error.hpp"
 #include "core/heat/sources/light_work.hpp"
@@ -170,6 +171,7 @@ void setScales(const World& w, StepTools& t) {
     t.pressure.relaxation = 0.9 / largestPressureResponse(n);
     t.pressure.correctionTime = w.scene.spacing / (sound * std::sqrt(n.maxDensityError));
   }
+  if (actsByCurvature(n, w.modules)) t.tensionHold = tensionHold(w.scene);
   if (w.modules.surfaceEnergy) t.surface = surfaceMeasure(n, w.scene.spacing);
   t.relativeDensityScale = t.inverseLatticeSum / (h * h * h);
 }
