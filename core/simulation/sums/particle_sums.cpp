@@ -92,7 +92,8 @@ PairSums pairSumsOf(World& w, StepTools& t) {
   s.velocityViscosity = t.records.velocityViscosity.data();
   s.pressurePhaseHeat = t.records.pressurePhaseHeat.data();
   s.surface = t.records.surface.data();
-  s.closeDistance = contactDistance * w.scene.spacing / w.grid.support;
+  s.closeDistance = (w.modules.rareContact ? contactSight : contactDistance) * w.scene.spacing /
+                    w.grid.support;
   s.freeSurfaceIndicatorScale = 2 * w.scene.spacing;
   s.relativeDensity = p.relativeDensity.data();
   s.force = p.force.data();
