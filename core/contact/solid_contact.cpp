@@ -33,8 +33,8 @@ Vec3d between(const CellGrid& g, const Vec3d& a, const Vec3d& b) {
   return d;
 }
 
-/// Returns true if two particles with a gap (m), along the direction n from the other to the own, touch within
-/// two steps.
+/// Returns true if two particles with a gap (m), along the direction n from the other to the own, touch
+/// within two steps.
 bool willTouch(const ContactContext& x, const Continuum& p, const ClosePair& pair, const Vec3d& n,
                double gap) {
   return !(gap > -2 * x.step * dot(p.velocity[pair.own] - p.velocity[pair.other], n)) || gap <= 0;

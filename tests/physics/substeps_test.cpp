@@ -223,8 +223,8 @@ TEST(Substeps, ContactOfFrozenPiecesLimitsTheStepWhileItActs) {
   EXPECT_GT(run.w.clock.stepDt, 2 * contact);
 }
 
-// At its limit, the step has an error of (omega dt)^2 / 6 = 0.08 of the energy of a contact that begins within
-// it.
+// At its limit, the step has an error of (omega dt)^2 / 6 = 0.08 of the energy of a contact that begins
+// within it.
 TEST(Substeps, RareContactsHaveTheErrorOfTheirLimit) {
   Simulation run(dropsThatFreeze(8));
   while (run.w.counters.frozen == 0) ASSERT_TRUE(run.step());

@@ -52,8 +52,8 @@ StepModule elasticSolids() {
 
 namespace {
 
-/// Returns the longest step (s) for substeps of at most `substep` (s), under a limit (s) of all else. One more
-/// substep must lengthen the step by more than its cost, taken as half of that of the rest of a step.
+/// Returns the longest step (s) for substeps of at most `substep` (s), under a limit (s) of all else. One
+/// more substep must lengthen the step by more than its cost, taken as half of that of the rest of a step.
 double worthwhileStep(double substep, double limit, int most) {
   constexpr double cost = 0.5;
   const double whole = std::floor(limit / substep);

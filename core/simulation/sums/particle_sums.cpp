@@ -195,8 +195,7 @@ void sumDensities(World& w, StepTools& t, GroupRange range, double elapsed) {
   }
   const bool curvature = actsByCurvature(w.scene.numerics, w.modules) &&
                          isTensionDue(t.tensionHold, w.clock, elapsed);
-  if (w.modules.surfaceEnergy || curvature)
-    t.kernels->surfaceColours(pairSumsOf(w, t), range);
+  if (w.modules.surfaceEnergy || curvature) t.kernels->surfaceColours(pairSumsOf(w, t), range);
   t.times.lap(StepPhase::Density);
 }
 

@@ -59,8 +59,8 @@ TEST(TensionHold, IsAWholeNumberOfSteps) {
   for (clock.step = 0; clock.step < 12; clock.step++) due += isTensionDue(4.5e-4, clock, 1e-4);
   EXPECT_EQ(due, 3);
   clock.step = 1;
-  EXPECT_TRUE(isTensionDue(4.5e-4, clock, 0));      // at the start
-  EXPECT_TRUE(isTensionDue(1.5e-4, clock, 1e-4));   // shorter than two steps
+  EXPECT_TRUE(isTensionDue(4.5e-4, clock, 0));     // at the start
+  EXPECT_TRUE(isTensionDue(1.5e-4, clock, 1e-4));  // shorter than two steps
   EXPECT_FALSE(isTensionDue(2.5e-4, clock, 1e-4));
 }
 

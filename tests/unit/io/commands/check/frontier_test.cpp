@@ -135,9 +135,10 @@ TEST(Frontier, SubstepsAreForSolidsWithoutContact) {
 
 // Only pieces of a single body that froze can touch, which limits few steps.
 TEST(Frontier, SubstepsAreForABodyThatMelts) {
-  const std::string wax = "[material.wax]\nyoung = 1e5\nconductivity = 1\nmelts = [310, 320]\n"
-                          "[[obstacle]]\nname = 'plate'\nplane = { normal = [0, 0, 1] }\n"
-                          "temperature = 400\n";
+  const std::string wax =
+      "[material.wax]\nyoung = 1e5\nconductivity = 1\nmelts = [310, 320]\n"
+      "[[obstacle]]\nname = 'plate'\nplane = { normal = [0, 0, 1] }\n"
+      "temperature = 400\n";
   EXPECT_NE(linesOf(wax + body("a", "wax", 0)).find("elastic_substeps="), std::string::npos);
   EXPECT_EQ(linesOf(wax + body("a", "wax", 0) + body("b", "wax", 0.6)).find("elastic_substeps="),
             std::string::npos);
