@@ -137,6 +137,7 @@ TEST(Frontier, SubstepsAreForSolidsWithoutContact) {
 TEST(Frontier, SubstepsAreForABodyThatMelts) {
   const std::string wax =
       "[material.wax]\nyoung = 1e5\nconductivity = 1\nmelts = [310, 320]\n"
+      "heat_capacity = 2000\nlatent_heat = 1e4\n"
       "[[obstacle]]\nname = 'plate'\nplane = { normal = [0, 0, 1] }\n"
       "temperature = 400\n";
   EXPECT_NE(linesOf(wax + body("a", "wax", 0)).find("elastic_substeps="), std::string::npos);
