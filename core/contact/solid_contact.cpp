@@ -33,6 +33,13 @@ Vec3d between(const CellGrid& g, const Vec3d& a, const Vec3d& b) {
   return d;
 }
 
+/// Returns true if two particles with a gap (m), along the direction n from the other to the own, touch
+/// within two steps.
+bool willTouch(const ContactContext& x, const Continuum& p, const ClosePair& pair, const Vec3d& n,
+               double gap) {
+  return !(gap > -2 * x.step * dot(p.velocity[pair.own] - p.velocity[pair.other], n)) || gap <= 0;
+}
+
 struct Elastic {
   double stiffness;              ///< N/m
   double restitution, friction;  ///< 1
@@ -58,6 +65,7 @@ void addSolidContacts(const ContactContext& x, const ClosePairs& pairs, Continuu
     if ((rigid && rigidOther) || bonded(x, p, i, j)) continue;  // pieces: core/rigid/contact/
     const Vec3d d = between(x.grid, p.position[i], p.position[j]);
     const double r = length(d);
+    if (x.near) *x.near = *x.near || willTouch(x, p, pair, d / r, r - d0);
     if (r >= d0) continue;
     Elastic a = elasticOf(x.scene, p, i), b = elasticOf(x.scene, p, j);
     // A rigid particle counts as stiff as its elastic partner, so that the step limit of contacts holds.

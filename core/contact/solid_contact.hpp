@@ -17,6 +17,10 @@ namespace thaw {
 /// unbonded lattice neighbours at rest do not repel.
 inline constexpr double contactDistance = 0.9;
 
+/// Distance (in spacings) below which pairs are listed in scenes whose contacts limit the step only while
+/// they act (Modules::rareContact). Approaching pairs are then seen before they touch.
+inline constexpr double contactSight = 0.98;
+
 /// Dissipative part of the contact force (N) on a row.
 struct DissipativeForce {
   std::uint32_t row = 0;
@@ -37,6 +41,7 @@ struct ContactContext {
                                                               ///< added up
   std::int64_t* coincident = nullptr;  ///< counts pairs at the same position, once per end; nullptr if the
                                        ///< density sum counts them
+  bool* near = nullptr;                ///< becomes true if a pair touches, or will within two steps
 };
 
 /// Adds the contact forces of close pairs to owned rows, in list order. Each unbonded pair has three forces.

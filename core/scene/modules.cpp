@@ -236,6 +236,14 @@ bool findRigid(Finder& f, const std::vector<bool>& used) {
   return elastic;
 }
 
+/// Returns true if an emitter can emit solids.
+bool emitsSolid(const Scene& s) {
+  return std::any_of(s.emitters.begin(), s.emitters.end(), [&](const Emitter& e) {
+    const Material& m = s.materials[static_cast<std::size_t>(e.material)];
+    return m.canBeSolid() && (e.temperatureField || solidAt(m, e.temperature));
+  });
+}
+
 /// Activates contact of solids and welding.
 void findContact(Finder& f, const std::vector<bool>& used, int solidBodies) {
   const Scene& s = f.s;
@@ -245,6 +253,7 @@ void findContact(Finder& f, const std::vector<bool>& used, int solidBodies) {
     if (m.freezing) f.on(m.contact, "contact of solids", "frozen pieces can touch");
     if (m.fracture && s.numerics.selfContact) f.on(m.contact, "contact of solids", "pieces can touch");
   }
+  m.rareContact = m.contact && solidBodies <= 1 && !m.fracture && !emitsSolid(s);
   if (m.contact)
     for (std::size_t k = 0; k < s.materials.size(); k++)
       if (used[k] && s.materials[k].weld && s.materials[k].canBeSolid())
@@ -257,13 +266,14 @@ void findSubsteps(Finder& f, bool elastic) {
   Modules& m = f.m;
   if (m.solid && s.numerics.sleepSpeed > 0)
     f.on(m.rigid && !elastic ? m.pieceSleep : m.sleep, "sleep", "`numerics.sleep_speed` is given");
-  // Contact of solids limits the step of all particles, so substeps gain nothing there. With more than two
+  // Contact of solids limits the step of all particles, so substeps gain little there. With more than two
   // substeps, impulses of incompressible liquid come as seldom as half a period of the fastest elastic waves,
   // and feed these waves.
   const int byDefault = m.incompressible ? 2 : 4;
   m.mostSubsteps = s.numerics.elasticSubsteps > 0                                ? s.numerics.elasticSubsteps
                    : elastic && m.fluid && !m.contact && !m.sleep && !m.rigidify ? byDefault
                                                                                  : 1;
+  m.rareContact = m.rareContact && m.mostSubsteps > 1;
   if (m.solid && m.mostSubsteps > 1)
     f.on(m.substeps, "substeps of solids",
          s.numerics.elasticSubsteps > 0

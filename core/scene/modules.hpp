@@ -33,6 +33,8 @@ struct Modules {
   bool freezing = false;      ///< liquid can solidify at run time: bonds store a reference at both ends
   bool welding = false;       ///< separate solids of weldable materials can touch: bonds as with freezing
   bool contact = false;       ///< unbonded solids can touch: several solid bodies, pieces, freezing
+  bool rareContact = false;   ///< contact limits the step only while it acts: solids have substeps, and only
+                              ///< frozen pieces of one body can touch
   bool heat = false;          ///< temperature changes: conduction, hot obstacles, sources
   bool melting = false;       ///< a material melts: liquid fraction, phase
   bool lamps = false;         ///< lamps, lasers or heated regions (core/heat/sources/)

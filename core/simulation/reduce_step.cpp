@@ -24,6 +24,8 @@ void reductionHere(StepContext& c, const StepOutcome& here, Requests wanted) {
   StepReduction& reduction = c.reduction;
   for (std::size_t k = 0; k < reduction.negatedLimits.size(); k++)
     reduction.negatedLimits[k] = -std::min(t.fixedLimits.value[k], own.value[k]);
+  if (mayBeDry(w.scene, w.modules) && isDry(w.particles))
+    for (const Limit l : limitsOfLiquid) reduction.negatedLimits[static_cast<std::size_t>(l)] = -never;
   reduction.froze = t.frozeAnywhere;
   reduction.melted = t.meltedAnywhere;
   reduction.bad = here.badHere || !here.finite;

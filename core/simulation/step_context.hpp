@@ -19,8 +19,9 @@ struct StepContext {
   double dt;    ///< s, length of the step; 0 for an evaluation without a step
   double time;  ///< s, at its end
   WallContext walls;
-  bool leftBonds = false;       ///< a particle with bonds left the domain
-  bool justFrozen = false;      ///< particles froze in the last step: contacts record their jump of energy
+  bool leftBonds = false;    ///< a particle with bonds left the domain
+  bool justFrozen = false;   ///< particles froze in the last step: contacts record their jump of energy
+  bool contactNear = false;  ///< with Modules::rareContact: unbonded solids of this rank touch, or will soon
   VanishedWalls vanished = {};  ///< without walls unless some vanished in this step
   Exchange solidPositions = {}, densities = {}, stress = {};  ///< in flight
   StepLimits limits = {};                                     ///< s, of this rank's particles

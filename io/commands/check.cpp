@@ -17,6 +17,7 @@
 #include "core/simulation/ledger/report.hpp"
 #include "core/simulation/memory.hpp"
 #include "core/simulation/setup/warnings/thick_flow.hpp"
+#include "core/simulation/time/limits.hpp"
 #include "core/simulation/world/body_types.hpp"
 #include "core/time/frame_times.hpp"
 #include "io/commands/check/check_report.hpp"
@@ -197,6 +198,14 @@ double timeSteps(CheckedWorld& c, int& steps) {
   return steps > 0 ? seconds() / steps : 0;
 }
 
+/// Returns the expected step (s) of the run. What melts makes steps shorter than those of the start.
+double expectedStep(const World& w, const StepTools& t, double start) {
+  double step = std::min(start, longestUnlimitedStep(w.clock));
+  for (const Limit l : limitsOfLiquid)
+    if (mayBeDry(w.scene, w.modules)) step = std::min(step, t.fixedLimits.value[static_cast<std::size_t>(l)]);
+  return step;
+}
+
 /// Adds the estimated cost of the run, and the advice. Collective.
 void estimateCost(CheckedWorld& c, const CheckOptions& o, SurfaceTrial& surface, double perStep,
                   CheckReport& r) {
@@ -209,7 +218,7 @@ void estimateCost(CheckedWorld& c, const CheckOptions& o, SurfaceTrial& surface,
   double memory = totalBytes(memoryOf(w, c.t));
   all.maximum({&memory, 1});
   surface.update();  // last, since it melts the world
-  cost.steps = r.end / std::min(r.step.value_or(never), longestUnlimitedStep(w.clock));
+  cost.steps = r.end / expectedStep(w, c.t, r.step.value_or(never));
   const SurfaceTrial::Forecast onSurface = surface.forecast(cost.steps, total);
   const int size = c.comm.size(), ranks = o.ranks > 0 ? o.ranks : size;
   r.surface = surface.lines(onSurface, ranks);

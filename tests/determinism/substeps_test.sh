@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Stiff solids in water with substeps (numerics.elastic_substeps): a clamped post that yields, is damped and
 # swings over a periodic side. The same bits on 1, 2, 3, 4 and 7 ranks and over a restart, also while bonds
-# melt.
+# melt, and with step limits that hold only while there is liquid.
 . "$(dirname "$0")/../support/run.sh"
 cat >"$work/tank.toml" <<'SCENE'
 spacing = "2.5 cm"
@@ -44,4 +44,8 @@ sameOnAllRanks tank 60 "25 40" "$work/tank.toml"
 [ "$(value "$work/tank.1/summary.json" substeps)" -gt 3 ] || fail "the tank has no substeps"
 settings melt
 sameOnAllRanks melt 24 "12 18" "$scenes/melt.toml" "${set[@]}" --set numerics.elastic_substeps=8
+# From the fall, with four substeps, to a melting foot whose surface tension is held over several steps.
+sameOnAllRanks soften 400 "60 250" "$scenes/melt.toml" --set spacing=0.012 --set output.every=0.01 \
+  --set body.bust.temperature=312 --set body.bust.place.bottom="[0, 0, 0.008]"
+[ "$(value "$work/soften.1/summary.json" liquid_fraction)" != 0 ] || fail "nothing softens"
 finish

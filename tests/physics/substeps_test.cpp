@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/simulation/time/limits.hpp"
 #include "core/solid/laws/plasticity.hpp"
 #include "tests/support/simulation.hpp"
 
@@ -156,6 +157,89 @@ TEST(Substeps, KeepAStiffBlockInWaterStable) {
     std::printf("n %d: residual %.2e of %.3g J, elastic %.2e J, velocity %.4g m/s\n", n, r.energyResidual,
                 r.energyScale, r.now.elastic, r.now.momentum.z);
   }
+}
+
+/// A block of wax that falls on a hot plate, with up to four substeps.
+Scene waxOnAPlate() {
+  Scene s = emptyScene(0.01, {-0.2, -0.2, -0.02}, {0.2, 0.2, 0.2});
+  s.domain.gravity = {0, 0, -9.81};
+  s.numerics.elasticSubsteps = 4;
+  s.materials.push_back(wax());
+  s.materials[0].soundSpeed = 80;
+  addBox(s, {-0.03, -0.03, 0.02}, {0.03, 0.03, 0.1}).temperature = 293;
+  addFloor(s).temperature = 523;
+  return s;
+}
+
+// The liquid that the block becomes does not limit its fall.
+TEST(Substeps, LimitsOfLiquidHoldOnceThereIsLiquid) {
+  Scene s = waxOnAPlate();
+  s.end = 0.3;
+  Simulation run(s);
+  const StepLimits& limits = run.tools.fixedLimits;
+  const double sound = limits.value[static_cast<std::size_t>(Limit::Sound)],
+               elastic = limits.value[static_cast<std::size_t>(Limit::Elastic)];
+  ASSERT_LT(sound, elastic);
+  for (int k = 0; k < 40; k++) ASSERT_TRUE(run.step());
+  EXPECT_EQ(run.limitedBy, Limit::Elastic);
+  EXPECT_GT(run.w.clock.stepDt, 3.5 * elastic);
+  ASSERT_TRUE(run.run());
+  EXPECT_FALSE(isDry(run.particles()));
+  EXPECT_LE(run.w.clock.stepDt, sound);
+  const LedgerReport r = run.ledgerReport();
+  EXPECT_LT(std::abs(r.energyResidual), 0.005 * r.energyScale);
+}
+
+/// Two drops that freeze so close to each other that they push.
+Scene dropsThatFreeze(int substeps) {
+  Scene s = emptyScene(0.01, {-1, -1, -1}, {1, 1, 1});
+  s.numerics.overlap = OverlapRule::Keep;
+  s.numerics.elasticSubsteps = substeps;
+  s.materials.push_back(wax());
+  s.materials[0].soundSpeed = 1;
+  const double dx = s.spacing;
+  for (int k = 0; k < 2; k++)
+    addBox(s, {k * 3.8 * dx, 0, 0}, {(k * 3.8 + 4) * dx, 4 * dx, 4 * dx}).temperature = 350;
+  s.thermostats.emplace_back();
+  s.thermostats[0].start = 0.001;
+  s.thermostats[0].temperature = 300;
+  s.end = 1;
+  return s;
+}
+
+// Contact limits the step until the pieces are apart. The step in which they froze is long already, but not
+// the one in which they push first.
+TEST(Substeps, ContactOfFrozenPiecesLimitsTheStepWhileItActs) {
+  Simulation run(dropsThatFreeze(8));
+  ASSERT_TRUE(run.w.modules.rareContact);
+  const double contact = run.tools.longestContact;
+  while (run.w.counters.frozen == 0) ASSERT_TRUE(run.step());
+  EXPECT_GT(run.w.clock.stepDt, 1.5 * contact);
+  for (int k = 0; k < 3; k++) {
+    ASSERT_TRUE(run.step());
+    EXPECT_LE(run.w.clock.stepDt, contact);
+  }
+  for (int k = 0; k < 2000 && run.w.clock.stepDt < 2 * contact; k++) ASSERT_TRUE(run.step());
+  EXPECT_GT(run.w.clock.stepDt, 2 * contact);
+}
+
+// At its limit, the step has an error of (omega dt)^2 / 6 = 0.08 of the energy of a contact that begins
+// within it.
+TEST(Substeps, RareContactsHaveTheErrorOfTheirLimit) {
+  Simulation run(dropsThatFreeze(8));
+  while (run.w.counters.frozen == 0) ASSERT_TRUE(run.step());
+  ASSERT_TRUE(run.step());
+  const double made = run.ledgerReport().now.potential, end = run.w.clock.time + 2e-3;
+  ASSERT_GT(made, 0);
+  while (run.w.clock.time < end) ASSERT_TRUE(run.step());
+  EXPECT_LT(std::abs(run.ledgerReport().energyResidual), made * 0.5 / 6);
+}
+
+TEST(Substeps, ContactOfSeveralBodiesAlwaysLimitsTheStep) {
+  Scene s = waxOnAPlate();
+  EXPECT_TRUE(modulesOf(s).rareContact);
+  addBox(s, {-0.03, -0.03, 0.12}, {0.03, 0.03, 0.15}).temperature = 293;
+  EXPECT_FALSE(modulesOf(s).rareContact);
 }
 
 }  // namespace thaw::test

@@ -55,6 +55,15 @@ void addCurvatureForce(const CurvatureContext& x) {
   }
 }
 
+void holdCurvatureForce(Continuum& p) {
+  AddedColumn& column = *tensionForceOf(p);
+  for (std::uint32_t i = 0; i < p.owned; i++) {
+    double* const kept = column.row(i);
+    if (p.phase[i] == Liquid && isFree(p, i)) p.force[i] += Vec3d{kept[0], kept[1], kept[2]};
+    else std::fill_n(kept, 3, 0.0);
+  }
+}
+
 void recordCurvatureKick(const WallView& w, HalfKick kick, double dt) {
   const Continuum& p = w.particles;
   const AddedColumn& forces = *tensionForceOf(p);

@@ -15,6 +15,10 @@ namespace thaw {
 /// tensionForceOf. Collective. Requires: surfaceGradient of owned rows, temperatures of ghosts.
 void addCurvatureForce(const CurvatureContext& context);
 
+/// Adds the force of the last evaluation to the particles that are still liquid and free
+/// (core/flow/curvature/tension_hold.hpp).
+void holdCurvatureForce(Continuum& particles);
+
 /// Records work and impulse of the force in a half kick over dt / 2 (s). Call it before the kick.
 void recordCurvatureKick(const WallView& world, HalfKick kick, double dt);
 

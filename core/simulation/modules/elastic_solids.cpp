@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/simulation/modules/step_modules.hpp"
@@ -49,6 +50,20 @@ StepModule elasticSolids() {
         }}}};
 }
 
+namespace {
+
+/// Returns the longest step (s) for substeps of at most `substep` (s), under a limit (s) of all else. One
+/// more substep must lengthen the step by more than its cost, taken as half of that of the rest of a step.
+double worthwhileStep(double substep, double limit, int most) {
+  constexpr double cost = 0.5;
+  const double whole = std::floor(limit / substep);
+  if (!(whole >= 1) || whole >= most) return most * substep;
+  const double shorter = whole * substep / (1 + cost * whole), longer = limit / (1 + cost * (whole + 1));
+  return longer > shorter ? (whole + 1) * substep : whole * substep;
+}
+
+}  // namespace
+
 StepModule solidSubsteps() {
   return {"substeps of solids",
           [](const World& w, const StepTools&) { return w.modules.substeps; },
@@ -64,6 +79,9 @@ StepModule solidSubsteps() {
               c.longestSubstep = std::min(
                   {limits[Limit::Elastic], c.t.longestContact, -c.reduction.negatedFastLimit});
               limits[Limit::Elastic] = c.w.modules.mostSubsteps * c.longestSubstep;
+              if (c.w.modules.rareContact)
+                limits[Limit::Elastic] = worthwhileStep(c.longestSubstep, limits[limits.smallest()],
+                                                        c.w.modules.mostSubsteps);
             }},
            {ModulePhase::NextStep,
             [](StepContext& c) { chooseSubsteps(c.w, c.t, c.w.watch.factor * c.longestSubstep); }}}};

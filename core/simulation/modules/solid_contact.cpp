@@ -17,8 +17,15 @@ StepModule solidContact() {
           // Just frozen: records the jump of all contacts, as an evaluation with new coefficients does.
           addSolidContacts(
               {w.scene, w.grid, w.solids, w.bonds, c.walls.span, c.justFrozen ? &w.ledger.phaseJump : nullptr,
-               &c.t.contactResistance, w.modules.fluid ? nullptr : &w.counters.coincidentPairs},
+               &c.t.contactResistance, w.modules.fluid ? nullptr : &w.counters.coincidentPairs,
+               w.modules.rareContact ? &c.contactNear : nullptr},
               c.t.closePairs, w.particles);
+        }},
+       {ModulePhase::Limits,
+        [](StepContext& c) {
+          // Particles that freeze may push from the next evaluation on.
+          if (c.contactNear || (c.w.modules.rareContact && c.t.frozeAnywhere))
+            c.reduction.lower(Limit::Contact, c.t.longestContact);
         }},
        {ModulePhase::AllForces, [](StepContext& c) { recordResistance(c.walls, c.t.contactResistance); }}}};
 }

@@ -8,6 +8,7 @@
 
 #include "core/domain/extensions.hpp"
 #include "core/domain/sides.hpp"
+#include "core/flow/curvature/tension_hold.hpp"
 #include "core/fluid/laws/surface_energy.hpp"
 #include "core/geometry/basic/shape_error.hpp"
 #include "core/heat/sources/light_work.hpp"
@@ -144,7 +145,8 @@ void planLiquidsAndLimits(World& w, StepTools& t) {
   if (w.modules.orientedContact) t.oriented.contacts = planOrientedContact(w.scene, t.liquids);
   t.fixedLimits = materialLimits(w.scene, w.modules, t.liquids);
   addExtensions(w, t);
-  if (w.modules.substeps && !w.modules.contact) std::swap(t.longestContact, t.fixedLimits[Limit::Contact]);
+  if (w.modules.substeps && (!w.modules.contact || w.modules.rareContact))
+    std::swap(t.longestContact, t.fixedLimits[Limit::Contact]);
   t.watch = monitorLimits(w.scene, w.modules, t.liquids, t.fixedLimits);
 }
 
@@ -170,6 +172,7 @@ void setScales(const World& w, StepTools& t) {
     t.pressure.relaxation = 0.9 / largestPressureResponse(n);
     t.pressure.correctionTime = w.scene.spacing / (sound * std::sqrt(n.maxDensityError));
   }
+  if (actsByCurvature(n, w.modules)) t.tensionHold = tensionHold(w.scene);
   if (w.modules.surfaceEnergy) t.surface = surfaceMeasure(n, w.scene.spacing);
   t.relativeDensityScale = t.inverseLatticeSum / (h * h * h);
 }
@@ -292,6 +295,8 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   StepLimits limits = t.fixedLimits;
   if (w.modules.substeps)
     limits[Limit::Elastic] = w.modules.mostSubsteps * std::min(limits[Limit::Elastic], t.longestContact);
+  if (mayBeDry(w.scene, w.modules))
+    for (const Limit l : limitsOfLiquid) limits[l] = never;
   // The step of rigid parts may be longer, and obeys these limits from the next step on.
   if (w.modules.rigidify) limits[Limit::Elastic] = limits[Limit::Contact] = never;
   w.clock.dt = fixed > 0 ? factor * fixed : std::min(w.clock.dt, factor * limits[limits.smallest()]);

@@ -7,6 +7,7 @@
 
 #include "core/contact/solid_contact.hpp"
 #include "core/domain/extensions.hpp"
+#include "core/flow/curvature/tension_hold.hpp"
 #include "core/flow/density/carried_density.hpp"
 #include "core/flow/implicit_viscosity/implicit_viscosity.hpp"
 #include "core/flow/incompressible/pressure_solver.hpp"
@@ -91,7 +92,8 @@ PairSums pairSumsOf(World& w, StepTools& t) {
   s.velocityViscosity = t.records.velocityViscosity.data();
   s.pressurePhaseHeat = t.records.pressurePhaseHeat.data();
   s.surface = t.records.surface.data();
-  s.closeDistance = contactDistance * w.scene.spacing / w.grid.support;
+  s.closeDistance = (w.modules.rareContact ? contactSight : contactDistance) * w.scene.spacing /
+                    w.grid.support;
   s.freeSurfaceIndicatorScale = 2 * w.scene.spacing;
   s.relativeDensity = p.relativeDensity.data();
   s.force = p.force.data();
@@ -191,8 +193,9 @@ void sumDensities(World& w, StepTools& t, GroupRange range, double elapsed) {
     }
     t.kernels->density(sums, range);
   }
-  if (w.modules.surfaceEnergy || actsByCurvature(w.scene.numerics, w.modules))
-    t.kernels->surfaceColours(pairSumsOf(w, t), range);
+  const bool curvature = actsByCurvature(w.scene.numerics, w.modules) &&
+                         isTensionDue(t.tensionHold, w.clock, elapsed);
+  if (w.modules.surfaceEnergy || curvature) t.kernels->surfaceColours(pairSumsOf(w, t), range);
   t.times.lap(StepPhase::Density);
 }
 

@@ -151,6 +151,16 @@ double largestViscosityHere(const World& w, std::size_t material) {
 
 }  // namespace
 
+bool mayBeDry(const Scene& s, const Modules& modules) {
+  return modules.substeps && modules.melting && s.emitters.empty();
+}
+
+bool isDry(const Continuum& p) {
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (p.phase[i] == Liquid || p.liquid[i] > 0) return false;
+  return true;
+}
+
 LargestRates largestRates(const Continuum& p) {
   LargestRates largest;
   for (std::size_t i = 0; i < p.owned; i++) {

@@ -17,6 +17,14 @@ StepLimits materialLimits(const Scene& scene, const Modules& modules,
 /// or for n > 1 at the largest rate that the scene resolves.
 double flowLawStepLimit(const Scene& scene, const Material& material);
 
+/// Limits that hold only while there is liquid.
+inline constexpr std::array limitsOfLiquid{Limit::Sound, Limit::Viscous, Limit::Tension};
+/// Returns true if limitsOfLiquid can be off for a while: all solids have substeps, and no liquid but molten
+/// solid appears.
+bool mayBeDry(const Scene& scene, const Modules& modules);
+/// Returns true if no owned particle is liquid, even in part.
+bool isDry(const Continuum& particles);
+
 LargestRates largestRates(const Continuum& particles);
 
 /// Returns the limits of this rank's particles: acceleration, speed, and viscosity of tables and flow laws,

@@ -96,12 +96,18 @@ std::string keyOf(const std::string& setting) { return setting.substr(0, setting
 
 double valueOf(const std::string& setting) { return std::stod(setting.substr(setting.find('=') + 1)); }
 
-/// Returns whether the scene can use this setting. Contact of solids limits the step, so that substeps gain
-/// nothing. With many of them, liquids pump energy into solids that are not those of the reference case.
+/// Returns whether contact of solids limits all steps, so that substeps gain nothing.
+bool contactLimits(Scene s, const Modules& m) {
+  s.numerics.elasticSubsteps = 2;
+  return m.contact && !modulesOf(s).rareContact;
+}
+
+/// Returns whether the scene can use this setting. With many substeps, liquids pump energy into solids that
+/// are not those of the reference case.
 bool usable(const std::string& setting, const Scene& s, const Modules& m) {
   constexpr double mostSubsteps = 4;
   if (keyOf(setting) == "numerics.elastic_substeps")
-    return !m.contact && (!m.fluid || valueOf(setting) <= mostSubsteps);
+    return (!m.fluid || valueOf(setting) <= mostSubsteps) && !contactLimits(s, m);
   if (keyOf(setting) == "body.0.packing") return false;  // the scene determines the packing
   if (keyOf(setting) == "numerics.support")
     return valueOf(setting) >= (m.surfaceHeat ? 2 : m.solid ? s.numerics.bondSupport : 0);

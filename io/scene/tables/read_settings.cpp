@@ -198,10 +198,12 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.number("cfl_acceleration", n.cflAcceleration, "", factor(),
            "step limit as a multiple of sqrt(h / a), with the acceleration a");
   std::int64_t substeps = n.elasticSubsteps;
-  r.whole("elastic_substeps", substeps, 0, 64,
-          "largest number of substeps of solids within a step, if their elastic limit is the shortest. 0: 4 "
-          "with liquid (2 if it is incompressible) and without contact of solids, else 1. Above 8, or 2 with "
-          "incompressible liquid, the liquid may pump energy into solids without damping");
+  r.whole(
+      "elastic_substeps", substeps, 0, 64,
+      "largest number of substeps of solids within a step, if their elastic limit is the shortest. 0: 4 "
+      "with liquid (2 if it is incompressible) and without contact of solids, else 1. In scenes of one solid "
+      "body that melts, contacts limit the step only while they act. Above 8, or 2 with incompressible "
+      "liquid, the liquid may pump energy into solids without damping");
   n.elasticSubsteps = static_cast<int>(substeps);
   r.number(
       "sleep_speed", n.sleepSpeed, "m/s", notNegative(),

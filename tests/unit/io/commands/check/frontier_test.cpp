@@ -133,6 +133,18 @@ TEST(Frontier, SubstepsAreForSolidsWithoutContact) {
             std::string::npos);
 }
 
+// Only pieces of a single body that froze can touch, which limits few steps.
+TEST(Frontier, SubstepsAreForABodyThatMelts) {
+  const std::string wax =
+      "[material.wax]\nyoung = 1e5\nconductivity = 1\nmelts = [310, 320]\n"
+      "heat_capacity = 2000\nlatent_heat = 1e4\n"
+      "[[obstacle]]\nname = 'plate'\nplane = { normal = [0, 0, 1] }\n"
+      "temperature = 400\n";
+  EXPECT_NE(linesOf(wax + body("a", "wax", 0)).find("elastic_substeps="), std::string::npos);
+  EXPECT_EQ(linesOf(wax + body("a", "wax", 0) + body("b", "wax", 0.6)).find("elastic_substeps="),
+            std::string::npos);
+}
+
 TEST(Frontier, TheFileOfTheBuildIsThatOfTheTree) {
   ASSERT_FALSE(frontierFile().empty());
   EXPECT_EQ(textOf(frontierFile()), textOf(THAW_SOURCE_DIR "/docs/accuracy/frontier.csv"));

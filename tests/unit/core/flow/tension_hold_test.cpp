@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// How long surface tension by curvature may be held.
+#include "core/flow/curvature/tension_hold.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/support/simulation.hpp"
+
+namespace thaw::test {
+namespace {
+
+Scene dropOf(double viscosity) {
+  Scene s = emptyScene(0.004, {-1, -1, -1}, {1, 1, 1});
+  s.materials.emplace_back();
+  s.materials[0].density = 900;
+  s.materials[0].viscosity = {viscosity, viscosity};
+  s.materials[0].surfaceTension = 0.03;
+  addBox(s, {0, 0, 0}, {0.02, 0.02, 0.02});
+  return s;
+}
+
+/// The step limit (s) of tension.
+double limitOf(const Scene& s) {
+  const double h = s.numerics.support * s.spacing;
+  return s.numerics.cflTension * std::sqrt(900 * h * h * h / (2 * std::numbers::pi * 0.03));
+}
+
+}  // namespace
+
+TEST(TensionHold, IsATenthOfTheStepLimitInThickLiquids) {
+  const Scene s = dropOf(10);
+  EXPECT_NEAR(tensionHold(s), 0.1 * limitOf(s), 1e-12);
+}
+
+TEST(TensionHold, IsShortWhereViscosityDampsLittle) {
+  const Scene s = dropOf(1e-3);
+  EXPECT_NEAR(tensionHold(s), 0.25 * 1e-3 * 0.004 / 0.03, 1e-12);
+  EXPECT_LT(tensionHold(s), 0.01 * limitOf(s));
+}
+
+TEST(TensionHold, IsNoneWithoutTensionOrViscosity) {
+  Scene s = dropOf(0);
+  EXPECT_EQ(tensionHold(s), 0);
+  s = dropOf(10);
+  s.materials[0].surfaceTension = 0;
+  EXPECT_EQ(tensionHold(s), 0);
+  s = dropOf(10);
+  s.materials[0].flowLaw.law = FlowLaw::Bingham;
+  EXPECT_EQ(tensionHold(s), 0);
+}
+
+TEST(TensionHold, IsAWholeNumberOfSteps) {
+  Clock clock;
+  clock.dt = 1e-4;
+  int due = 0;
+  for (clock.step = 0; clock.step < 12; clock.step++) due += isTensionDue(4.5e-4, clock, 1e-4);
+  EXPECT_EQ(due, 3);
+  clock.step = 1;
+  EXPECT_TRUE(isTensionDue(4.5e-4, clock, 0));     // at the start
+  EXPECT_TRUE(isTensionDue(1.5e-4, clock, 1e-4));  // shorter than two steps
+  EXPECT_FALSE(isTensionDue(2.5e-4, clock, 1e-4));
+}
+
+}  // namespace thaw::test
