@@ -10,7 +10,7 @@
 #ifndef THAW_ISA
 #define THAW_ISA isa_base
 #endif
-#ifdef THAW_SANITIZE  // functions of such length, with checks, take a quarter of an hour to compile
+#ifdef THAW_SANITIZE  // inlined kernels with checks compile very slowly
 #define THAW_INLINE inline
 #else
 #define THAW_INLINE inline __attribute__((always_inline))

@@ -80,8 +80,9 @@ void recordVanished(const WallContext& x, const LiquidMeasure& measure, Vanished
     for (end = begin; end < list.size() && list[end].row == list[begin].row;) end++;
     const std::uint32_t i = list[begin].row;
     const ParticleContacts old{i, v.springs[begin], std::span(list).subspan(begin, end - begin)};
-    const ParticleContacts left{i, wallSpring(x, i), contactsOf(now, i)};
-    const double before = energyWith(x, measure, old, added), after = energyWith(x, measure, left, added);
+    const ParticleContacts remaining{i, wallSpring(x, i), contactsOf(now, i)};
+    const double before = energyWith(x, measure, old, added),
+                 after = energyWith(x, measure, remaining, added);
     if (after != before) x.world.ledger.wallWork.add(after - before);
   }
 }

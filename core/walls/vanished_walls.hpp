@@ -14,7 +14,7 @@ namespace thaw {
 struct VanishedWalls {
   Walls walls;
   WallContacts contacts;
-  /// Springs of the contacts. Without the walls, frozen particles have longer ones (Continuum::contactOffset).
+  /// Springs of the contacts, with the contact offsets that they have beside the walls.
   std::vector<WallSpring> springs;
 };
 

@@ -198,7 +198,7 @@ double timeSteps(CheckedWorld& c, int& steps) {
   return steps > 0 ? seconds() / steps : 0;
 }
 
-/// Returns the expected step (s) of the run. What melts makes steps shorter than those of the start.
+/// Returns the expected step (s) of the run: that of the start, or the shorter one after the solid melts.
 double expectedStep(const World& w, const StepTools& t, double start) {
   double step = std::min(start, longestUnlimitedStep(w.clock));
   for (const Limit l : limitsOfLiquid)

@@ -58,7 +58,7 @@ TEST(TornLiquid, WorkOfShiftingAgainstTensionIsRecorded) {
 }
 
 // A falling jet stretches, and particles crowd at its axis. With corrected gradients at its surface they
-// oscillate, and the energy grows by 7 %.
+// oscillate, and the energy grows.
 TEST(TornLiquid, ThinJetGainsNoEnergy) {
   Scene s = test::emptyScene(4e-3, {-0.08, -0.08, -0.01}, {0.08, 0.08, 0.22});
   s.domain.gravity = {0, 0, -9.81};

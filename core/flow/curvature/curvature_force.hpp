@@ -15,7 +15,7 @@ namespace thaw {
 /// tensionForceOf. Collective. Requires: surfaceGradient of owned rows, temperatures of ghosts.
 void addCurvatureForce(const CurvatureContext& context);
 
-/// Adds the force of the last evaluation to the particles that are still liquid and free
+/// Adds the force of the last evaluation to free liquid particles, and clears that of others
 /// (core/flow/curvature/tension_hold.hpp).
 void holdCurvatureForce(Continuum& particles);
 

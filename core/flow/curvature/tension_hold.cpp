@@ -2,10 +2,13 @@
 #include "core/flow/curvature/tension_hold.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "core/materials/liquid_materials.hpp"
+#include "core/materials/surface_tension.hpp"
 #include "core/scene/material_use.hpp"
 #include "core/scene/phase_density.hpp"
 
@@ -20,10 +23,8 @@ double leastViscosity(const Material& m) {
   return least;
 }
 
-double largestTension(const Material& m) {
-  double largest = m.surfaceTensionTable.empty() ? m.surfaceTension : 0;
-  for (const auto& point : m.surfaceTensionTable) largest = std::max(largest, point.second);
-  return largest;
+double largestTensionOf(const Material& m) {
+  return m.surfaceTensionTable.empty() ? m.surfaceTension : largestTension(m.surfaceTensionTable);
 }
 
 }  // namespace
@@ -34,7 +35,7 @@ double tensionHold(const Scene& s) {
   double hold = never;
   for (std::size_t k = 0; k < s.materials.size(); k++) {
     const Material& m = s.materials[k];
-    const double tension = largestTension(m);
+    const double tension = largestTensionOf(m);
     if (!inUse(s, k) || !canBeLiquid(m) || !(tension > 0)) continue;
     const double limit = n.cflTension *
                          std::sqrt(leastDensityOf(m) * h * h * h / (2 * std::numbers::pi * tension));
@@ -44,7 +45,8 @@ double tensionHold(const Scene& s) {
 }
 
 bool isTensionDue(double hold, const Clock& clock, double dt) {
-  const auto steps = static_cast<std::int64_t>(clock.dt > 0 ? std::min(hold / clock.dt, 64.0) : 0);
+  const double fitting = clock.dt > 0 ? std::min(hold / clock.dt, 64.0) : 0;
+  const auto steps = static_cast<std::int64_t>(std::bit_floor(static_cast<std::uint64_t>(fitting)));
   return dt == 0 || steps <= 1 || clock.step % steps == 0;
 }
 

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Steps between evaluations of surface tension by curvature. Steps of sound or elastic waves are often much
-// shorter than those that the tension needs, and its force changes little between them.
+// Interval between evaluations of surface tension by curvature. Sound or elastic waves often limit the step
+// far below the limit of tension, whose force then changes little from step to step.
 #pragma once
 #include "core/scene/scene.hpp"
 #include "core/time/clock.hpp"
 
 namespace thaw {
 
-/// Returns how long (s) the force may be held: a tenth of the step limit of tension, and no longer than
-/// mu dx / (4 gamma). A force that is late by half of this time feeds waves of the wave number k with a rate
-/// gamma k^3 dt / (4 rho), at most a tenth of their viscous decay 2 mu k^2 / rho. Liquids without a constant
-/// or tabulated viscosity hold nothing.
+/// Returns the interval tau (s): a tenth of the step limit of tension, and no longer than mu dx / (4 gamma).
+/// The mean delay of tau / 2 lets waves of the wave number k grow at a rate of gamma k^3 tau / (4 rho). Up to
+/// k = pi / dx this is at most a tenth of their viscous decay 2 mu k^2 / rho. 0 without tension, without
+/// viscosity, and with flow laws.
 double tensionHold(const Scene& scene);
 
-/// Returns true if the evaluation that ends a step of dt (s) renews the force; dt = 0: at the start.
+/// Returns true if the force is evaluated at the end of a step of dt (s); dt = 0: at the start. The number of
+/// steps between evaluations is the largest power of two, up to 64, that fits into `hold`. Where it changes,
+/// the steps of one size are multiples of those of the other, so no evaluation is put off for long.
 /// Requires: the clock at the beginning of the step.
 bool isTensionDue(double hold, const Clock& clock, double dt);
 

@@ -113,7 +113,7 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     compression = at.doubles(x.compression);
   }
 
-  /// Mask of the particles with neighbours on one side only.
+  /// Mask of the particles whose neighbours are mostly on one side.
   THAW_INLINE typename L::Mask oneSided() const {
     const L limit = L(surfaceAsymmetry) * s.gradientSize;
     return dotOf(s.gradient, s.gradient) > limit * limit;
@@ -197,7 +197,7 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
 
   /// Inverse moment minus 1, times the interior weight: 0 up to a summed relative density of 0.9 (truncated
   /// by a free surface), 1 from 0.95. 0 where neighbours are on one side, as at the surface of a thin jet:
-  /// there, particles so close together that they reach 0.9 would oscillate. 0 where an eigenvalue is below
+  /// there, crowded particles that reach 0.9 would oscillate. 0 where an eigenvalue is below
   /// 0.4: corrections above 2.5 would be unstable at this step.
   THAW_INLINE Tensor<L> correctionNow() const {
     const Tensor<L>& m = s.moment;

@@ -66,6 +66,7 @@ RowLabels labelRows(std::span<const PieceMotion> pieces, std::span<const RigidCo
 
 /// Copies an object into words.
 template<class T> void addWords(std::vector<std::uint64_t>& words, const T& x) {
+  static_assert(sizeof(T) % sizeof(std::uint64_t) == 0);
   using Words = std::array<std::uint64_t, sizeof(T) / sizeof(std::uint64_t)>;
   const auto bits = std::bit_cast<Words>(x);
   words.insert(words.end(), bits.begin(), bits.end());

@@ -405,14 +405,15 @@ std::vector<FoundContact> findContacts(const ContactSearch& search, std::span<co
 void guessImpulses(const Continuum& p, std::span<FoundContact> contacts) {
   constexpr std::size_t none = ~std::size_t{0};
   std::vector<std::size_t> best(p.owned, none);
-  const auto rank = [&](std::size_t k) {
+  const auto order = [&](std::size_t k) {
     const RigidContact& c = contacts[k].contact;
-    return std::tuple(-dot(c.normal, p.contactImpulse[contacts[k].particle]), c.keyB, c.gap);
+    return std::tuple(-dot(c.normal, p.contactImpulse[contacts[k].particle]), c.keyB, c.gap, c.normal.x,
+                      c.normal.y, c.normal.z);
   };
   for (std::size_t k = 0; k < contacts.size(); k++) {
     const std::uint32_t i = contacts[k].particle;
     if (p.contactPartner[i] != contacts[k].partner) continue;
-    if (best[i] == none || rank(k) < rank(best[i])) best[i] = k;
+    if (best[i] == none || order(k) < order(best[i])) best[i] = k;
   }
   for (const std::size_t k : best)
     if (k != none) contacts[k].contact.impulse = p.contactImpulse[contacts[k].particle];

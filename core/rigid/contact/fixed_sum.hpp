@@ -59,7 +59,7 @@ inline double fixedValue(const std::int64_t* words, double unit) {
   return (static_cast<double>(words[0] + carry) * fixedHigh + static_cast<double>(low)) * unit;
 }
 
-/// Exact sums of N numbers over contacts and ranks, in units of a shared scale.
+/// Sums of N numbers over contacts and ranks, rounded to a shared unit.
 template<std::size_t N> struct ContactSums {
   double units[N];
   FixedSums<N> here{};

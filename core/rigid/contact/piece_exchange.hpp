@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums over all ranks that hold a piece.
+// Sums and minima over all ranks that hold a piece.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -27,10 +27,10 @@ class PieceExchange {
   /// Replaces the word of each row by the smallest one of all holders. Collective.
   virtual void minimum(std::span<std::uint64_t> words) = 0;
 
-  /// Returns the name of a row, the same on all ranks that hold it.
+  /// Returns the id of a row, the same on all ranks that hold it.
   virtual std::uint64_t id(std::size_t row) const = 0;
 
-  /// Returns true if further ranks may hold the row. Every holder gets the same answer.
+  /// Returns true if other ranks may hold the row. Every holder gets the same answer.
   virtual bool shared(std::size_t row) const = 0;
 };
 

@@ -2,7 +2,6 @@
 #include "core/rigid/contact/solve_contacts.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/rigid/contact/contact_islands.hpp"
@@ -23,7 +22,7 @@ bool isFinite(const RigidContact& c, std::span<const PieceMotion> pieces) {
 
 enum Balance { Lost, Work, ImpulseX, ImpulseY, ImpulseZ, balances };
 
-/// Adds up the energy that the impulses take, and what obstacles give.
+/// Sums the energy that the impulses dissipate, and the work and impulse of obstacles.
 void recordBalance(const GatheredIslands& gathered, const std::vector<IslandSolve>& solves, Reducer& all,
                    ContactResult& result) {
   const auto eachContact = [&](auto&& use) {

@@ -8,7 +8,7 @@
 namespace thaw {
 namespace {
 
-/// Motion of a row that impulses change.
+/// Change of the motion of a row by impulses.
 struct Row {
   Vec3d velocity{}, spin{};
 };
@@ -40,8 +40,7 @@ Vec3d relativeVelocity(const RigidContact& c, std::span<const PieceMotion> piece
   return u - (c.b == noPiece ? c.otherVelocity : velocityAtArm(pieces[c.b], c.armB));
 }
 
-/// Least relative normal velocity of a contact after the step: it may close its gap, and rebounds if it
-/// closes it fast.
+/// Least relative normal velocity of a contact after the step: gaps may close, and impacts rebound.
 double targetOf(const RigidContact& c, const ContactSettings& s, const Vec3d& u) {
   const double approach = -dot(u, c.normal), room = std::max(0.0, c.gap) / s.step;
   const bool impact = c.restitution > 0 && approach > room && approach > s.impactSpeed;
@@ -63,7 +62,7 @@ Vec3d vectorOf(const Contact& c, const double (&x)[3]) {
   return x[0] * c.axis[0] + x[1] * c.axis[1] + x[2] * c.axis[2];
 }
 
-/// Change of the relative velocity by the rows.
+/// Change of the relative velocity by the changes of its rows.
 Vec3d changeOf(const Problem& p, const Contact& c) {
   Vec3d u = p.rows[c.a].velocity + cross(p.rows[c.a].spin, c.armA);
   if (c.b != noPiece) u -= p.rows[c.b].velocity + cross(p.rows[c.b].spin, c.armB);
@@ -98,7 +97,7 @@ void setResponse(std::span<const PieceMotion> pieces, Contact& c) {
   c.inverse[2] = t11 / determinant;
 }
 
-/// Cuts the tangential impulse to Coulomb's disc.
+/// Projects the tangential impulse onto the disc of Coulomb friction.
 void cutTangential(Contact& c, double (&t)[2]) {
   const double most = c.friction * c.impulse[0], square = t[0] * t[0] + t[1] * t[1];
   if (!(square > most * most)) return;
@@ -107,7 +106,7 @@ void cutTangential(Contact& c, double (&t)[2]) {
   t[1] *= factor;
 }
 
-/// Solves a contact for the present velocities of its rows. Returns its velocity error (m/s).
+/// Solves a contact for the current velocities of its rows. Returns its velocity error (m/s).
 double relax(Problem& p, Contact& c) {
   const Vec3d change = changeOf(p, c);
   double u[3], step[3];
@@ -140,15 +139,18 @@ void sumImpulses(Problem& p) {
   for (const Contact& c : p.contacts) push(p, c, vectorOf(c, c.impulse));
 }
 
-/// Solves each contact once. Returns the largest velocity error (m/s).
+/// Solves each contact once. Returns the largest velocity error (m/s), which is NaN if any of them is.
 double sweep(Problem& p) {
   double largest = 0;
   for (Contact& c : p.contacts)
-    if (c.response[0][0] > 0) largest = std::max(largest, relax(p, c));
+    if (c.response[0][0] > 0) {
+      const double error = relax(p, c);
+      if (!(error <= largest)) largest = error;
+    }
   return largest;
 }
 
-/// Keeps the state before a sweep.
+/// Stores the state before a sweep.
 void keepState(Problem& p) {
   p.before = p.rows;
   for (Contact& c : p.contacts) std::copy_n(c.impulse, 3, c.before);
@@ -209,8 +211,9 @@ struct Progress {
   double error = 0;  ///< m/s, largest of the last sweep
 };
 
-/// Conjugate gradients, until no error exceeds the tolerance: the change by a sweep is the gradient, and the
-/// direction restarts where it grows [SNE10].
+/// Conjugate gradients, until no error exceeds the tolerance: the change by a sweep is the negative gradient,
+/// and the direction restarts when the gradient grows [SNE10]. Ends with a sweep, whose impulses are in their
+/// cones of friction.
 Progress conjugateGradients(Problem& p, double tolerance, int most) {
   Progress at;
   p.other.assign(p.rows.size(), {});
@@ -219,7 +222,7 @@ Progress conjugateGradients(Problem& p, double tolerance, int most) {
   while (at.iterations < most) {
     keepState(p);
     at = {at.iterations + 1, sweep(p)};
-    if (at.error <= tolerance) break;
+    if (at.error <= tolerance || at.iterations == most) break;
     const double square = squareOfChange(p);
     moveAlong(p, last > 0 && square <= last ? square / last : 0);
     last = square;
@@ -227,8 +230,8 @@ Progress conjugateGradients(Problem& p, double tolerance, int most) {
   return at;
 }
 
-/// Nesterov's momentum, until no error exceeds the tolerance. It restarts where the change by a sweep opposes
-/// the step [OC15].
+/// Nesterov's momentum [N83], until no error exceeds the tolerance. It restarts when the change by a sweep
+/// opposes the step [OC15]. Ends with a sweep, as above.
 Progress momentum(Problem& p, double tolerance, int most) {
   Progress at;
   p.other = p.rows;
@@ -237,7 +240,7 @@ Progress momentum(Problem& p, double tolerance, int most) {
   while (at.iterations < most) {
     keepState(p);
     at = {at.iterations + 1, sweep(p)};
-    if (at.error <= tolerance) break;
+    if (at.error <= tolerance || at.iterations == most) break;
     const double last = opposes(p) ? 1 : t, next = 0.5 * (1 + std::sqrt(1 + 4 * last * last));
     extrapolate(p, (last - 1) / next);
     t = last < t ? 1 : next;
@@ -246,8 +249,7 @@ Progress momentum(Problem& p, double tolerance, int most) {
 }
 
 /// Iterates until no velocity error exceeds the tolerance. Conjugate gradients converge faster, but stall
-/// where friction makes errors grow slowly. Momentum passes such places, and may itself diverge, so the two
-/// take turns.
+/// where friction makes errors grow slowly. Momentum does not stall but may diverge, so the two alternate.
 Progress iterate(Problem& p, double tolerance, int most) {
   constexpr int turn[2] = {30, 120};  // iterations
   Progress at{0, HUGE_VAL};
@@ -307,7 +309,8 @@ Demands demandVelocities(const ContactIsland& island, const ContactSettings& set
   return d;
 }
 
-/// Finds displacements that remove overlap, and sets them as changes of the rows. Returns the iterations.
+/// Finds displacements that remove overlap, and sets them as changes of the rows. Returns the number of
+/// iterations.
 int correctOverlap(ContactIsland& island, const ContactSettings& settings, const Demands& demands,
                    Problem& p) {
   double deepest = 0;
@@ -349,7 +352,7 @@ IslandSolve solveIsland(ContactIsland& island, const ContactSettings& settings) 
   s.tolerance = std::max(settings.tolerance, settings.impactPart * demands.impact);
   const Progress progress = iterate(p, s.tolerance, settings.mostIterations);
   s.iterations = progress.iterations;
-  s.residual = progress.error;
+  s.residual = std::isfinite(progress.error) ? progress.error : HUGE_VAL;
   sumImpulses(p);
   for (std::size_t i = 0; i < p.contacts.size(); i++) {
     const Contact& c = p.contacts[i];

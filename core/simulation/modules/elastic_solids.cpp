@@ -52,8 +52,9 @@ StepModule elasticSolids() {
 
 namespace {
 
-/// Returns the longest step (s) for substeps of at most `substep` (s), under a limit (s) of all else. One
-/// more substep must lengthen the step by more than its cost, taken as half of that of the rest of a step.
+/// Returns the longest step (s) for substeps of at most `substep` (s), under the other limits (s). A substep
+/// is added only if it reduces the cost of a simulated second. It is taken to cost half of the rest of a
+/// step.
 double worthwhileStep(double substep, double limit, int most) {
   constexpr double cost = 0.5;
   const double whole = std::floor(limit / substep);

@@ -295,8 +295,12 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   StepLimits limits = t.fixedLimits;
   if (w.modules.substeps)
     limits[Limit::Elastic] = w.modules.mostSubsteps * std::min(limits[Limit::Elastic], t.longestContact);
-  if (mayBeDry(w.scene, w.modules))
-    for (const Limit l : limitsOfLiquid) limits[l] = never;
+  if (mayBeDry(w.scene, w.modules)) {
+    double wet = isDry(p) ? 0 : 1;
+    halos.all.maximum({&wet, 1});
+    for (const Limit l : limitsOfLiquid)
+      if (wet == 0) limits[l] = never;
+  }
   // The step of rigid parts may be longer, and obeys these limits from the next step on.
   if (w.modules.rigidify) limits[Limit::Elastic] = limits[Limit::Contact] = never;
   w.clock.dt = fixed > 0 ? factor * fixed : std::min(w.clock.dt, factor * limits[limits.smallest()]);
@@ -314,7 +318,9 @@ void applyNewCoefficients(World& w, Halos halos, StepTools& t) {
   recordStored(w, t, 1, jump);
   w.ledger.restartJump += jump;
   t.frozeAnywhere = false;  // newly frozen particles have bonds now
-  reduceStep(w, halos, t, {}, {});
+  StepContext c = stepContext(w, halos, t, 0);
+  c.contactNear = w.modules.rareContact;  // unknown here, and a new stiffness shortens the limit
+  reduceStep(c, {}, {});
   prepareNextStep(w, halos, t);
 }
 

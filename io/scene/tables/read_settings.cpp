@@ -201,9 +201,9 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.whole(
       "elastic_substeps", substeps, 0, 64,
       "largest number of substeps of solids within a step, if their elastic limit is the shortest. 0: 4 "
-      "with liquid (2 if it is incompressible) and without contact of solids, else 1. In scenes of one solid "
-      "body that melts, contacts limit the step only while they act. Above 8, or 2 with incompressible "
-      "liquid, the liquid may pump energy into solids without damping");
+      "with liquid (2 if it is incompressible) and without contact of solids, else 1. With at most one solid "
+      "body, contacts of frozen pieces limit the step only while pieces touch or are about to. Above 8, or 2 "
+      "with incompressible liquid, the liquid may pump energy into solids without damping");
   n.elasticSubsteps = static_cast<int>(substeps);
   r.number(
       "sleep_speed", n.sleepSpeed, "m/s", notNegative(),

@@ -61,7 +61,7 @@ TEST(RigidSleep, AStackOfTenBoxesIsAsleepAfterTenSeconds) {
 
 TEST(RigidSleep, AFallingBoxWakesTheStackThatItHits) {
   Scene s = stack(3);
-  s.domain.min = {-4, -4, -0.5};  // wherever the falling box rebounds to, it stays inside
+  s.domain.min = {-4, -4, -0.5};  // room for the rebound of the box
   s.domain.max = {6, 4, 6};
   addBox(s, {-0.2, -0.2, 4}, {0.2, 0.2, 4.4});
   addBox(s, {2, -0.2, 0}, {2.4, 0.2, 0.4});  // far away

@@ -65,7 +65,7 @@ TEST(VanishedWalls, LedgerHasTheEnergyOfReleasedSprings) {
   EXPECT_LT(std::abs(jump.residual), 0.05 * std::abs(jump.work));
 }
 
-// Solids that froze close to an obstacle have shorter springs, until no obstacle is near.
+// Solids that froze close to an obstacle have shorter springs while it is near.
 TEST(VanishedWalls, LedgerHasTheEnergyOfSpringsOfFrozenSolids) {
   Scene s = cubeOnFloor(1e-2, 0.4);
   s.domain.gravity = {0, 0, -9.81};

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -62,6 +63,21 @@ TEST(TensionHold, IsAWholeNumberOfSteps) {
   EXPECT_TRUE(isTensionDue(4.5e-4, clock, 0));     // at the start
   EXPECT_TRUE(isTensionDue(1.5e-4, clock, 1e-4));  // shorter than two steps
   EXPECT_FALSE(isTensionDue(2.5e-4, clock, 1e-4));
+}
+
+// The number of steps between evaluations follows the step, in powers of two.
+TEST(TensionHold, IsBoundedWhileTheStepChanges) {
+  const double hold = 1e-3;
+  for (const double growth : {0.97, 0.8, 1.03, 1.25}) {
+    Clock clock;
+    clock.dt = growth < 1 ? hold : 0.02 * hold;
+    double since = 0;
+    for (clock.step = 0; clock.step < 200; clock.step++) {
+      since = isTensionDue(hold, clock, clock.dt) ? 0 : since + clock.dt;
+      EXPECT_LT(since, 2 * hold);
+      clock.dt = std::max(0.02 * hold, std::min(hold, clock.dt * growth));
+    }
+  }
 }
 
 }  // namespace thaw::test

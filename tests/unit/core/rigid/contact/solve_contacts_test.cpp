@@ -186,6 +186,22 @@ TEST(SolveContacts, ContactsFulfilSignoriniAndCoulomb) {
   }
 }
 
+// The accelerations leave the cones between sweeps, and the iteration may end in any turn.
+TEST(SolveContacts, ImpulsesAreInTheirConesWithoutConvergence) {
+  for (const int most : {1, 5, 30, 37, 150}) {
+    Problem p = randomNet(6, 24);
+    ContactSettings settings = settingsOf();
+    settings.tolerance = 1e-15;
+    settings.mostIterations = most;
+    solve(p, settings);
+    for (const RigidContact& c : p.contacts) {
+      const double normal = dot(c.impulse, c.normal);
+      EXPECT_GE(normal, -1e-12 * length(c.impulse));
+      EXPECT_LE(length(c.impulse - normal * c.normal), c.friction * normal + 1e-12 * length(c.impulse));
+    }
+  }
+}
+
 TEST(SolveContacts, MomentumOfTwoPiecesIsConservedToRounding) {
   Problem p = randomNet(2, 1);
   p.contacts[0].b = 1;
