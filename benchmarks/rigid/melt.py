@@ -37,7 +37,7 @@ def lines(rows):
     return [
         f"`scenes/melt.toml` takes {value['steps']:,.0f} steps with {value['particles']:,.0f} particles and",
         f"{spent:.0f} s of processor time (limit {TARGET} s{', missed' if spent > TARGET else ''}). "
-        "Elastic waves limit its step.",
+        "Elastic waves, contacts and sound limit its step.",
         f"Shares of the time by phase: {shares}.",
     ]
 
