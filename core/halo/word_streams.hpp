@@ -2,7 +2,10 @@
 // Lists of 64-bit words between arbitrary ranks, for exchanges that follow from positions and not from the
 // neighbourhood of ranks.
 #pragma once
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -43,6 +46,20 @@ inline double numberAt(const std::vector<std::uint64_t>& words, std::size_t k) {
 }
 inline Vec3d placeAt(const std::vector<std::uint64_t>& words, std::size_t k) {
   return {numberAt(words, k), numberAt(words, k + 1), numberAt(words, k + 2)};
+}
+
+/// Appends an object of whole words.
+template<class T> void addWords(std::vector<std::uint64_t>& words, const T& x) {
+  static_assert(sizeof(T) % sizeof(std::uint64_t) == 0);
+  const auto bits = std::bit_cast<std::array<std::uint64_t, sizeof(T) / sizeof(std::uint64_t)>>(x);
+  words.insert(words.end(), bits.begin(), bits.end());
+}
+/// Returns the object that begins at a word, and moves to the next one.
+template<class T> T takeWords(const std::vector<std::uint64_t>& words, std::size_t& at) {
+  std::array<std::uint64_t, sizeof(T) / sizeof(std::uint64_t)> bits;
+  std::copy_n(words.begin() + static_cast<std::ptrdiff_t>(at), bits.size(), bits.begin());
+  at += bits.size();
+  return std::bit_cast<T>(bits);
 }
 
 }  // namespace thaw

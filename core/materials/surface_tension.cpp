@@ -2,7 +2,10 @@
 #include "core/materials/surface_tension.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
+#include "core/scene/phase_density.hpp"
 #include "core/scene/temperature_table.hpp"
 
 namespace thaw {
@@ -16,6 +19,11 @@ double largestTension(const TemperatureTable& table) {
   double largest = 0;
   for (const auto& [temperature, tension] : table) largest = std::max(largest, tension);
   return largest;
+}
+
+double capillaryTime(const Scene& s, const Material& m) {
+  const double h = s.numerics.support * s.spacing;
+  return std::sqrt(leastDensityOf(m) * (h * h * h) / (2 * std::numbers::pi * m.surfaceTension));
 }
 
 }  // namespace thaw

@@ -41,6 +41,9 @@ inline Vec3f single(const Vec3d& a) {
   return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
 }
 inline double length(const Vec3d& a) { return std::sqrt(dot(a, a)); }
+inline bool isFinite(const Vec3d& a) {
+  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
 /// Unit vector along a; the zero vector stays zero.
 inline Vec3d normalized(const Vec3d& a) {
   const double l = length(a);

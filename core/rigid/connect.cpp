@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/rigid/connect.hpp"
 
-#include <algorithm>
-
 #include "core/halo/exchange.hpp"
 #include "core/neighbours/rows_around.hpp"
+#include "core/rigid/data/spread_labels.hpp"
 
 namespace thaw {
 namespace {
@@ -31,25 +30,6 @@ DisjointSets joinRows(const RigidView& v, bool atStart, const PartedRows& parted
   return sets;
 }
 
-/// Gives each set the smallest label of its rows here. Returns true if a label of an owned row changed.
-bool spreadHere(Column<std::uint64_t>& labels, std::size_t owned, DisjointSets& sets) {
-  const std::size_t rows = sets.parent.size();
-  std::vector<std::uint64_t> least(rows, ~std::uint64_t{0});
-  for (std::uint32_t i = 0; i < rows; i++)
-    if (labels[i] != notRigid) {
-      std::uint64_t& l = least[sets.find(i)];
-      l = std::min(l, labels[i]);
-    }
-  bool changed = false;
-  for (std::uint32_t i = 0; i < owned; i++) {
-    if (labels[i] == notRigid) continue;
-    const std::uint64_t l = least[sets.find(i)];
-    changed = changed || l != labels[i];
-    labels[i] = l;
-  }
-  return changed;
-}
-
 }  // namespace
 
 void labelPieces(const RigidView& v, const Halos& halos, bool atStart, const PartedRows& parted) {
@@ -58,17 +38,8 @@ void labelPieces(const RigidView& v, const Halos& halos, bool atStart, const Par
     p.pieceLabel[i] = belongsToPiece(v.scene, p, i) ? p.id[i] + 1 : notRigid;
   refresh(halos.cells, p, ColumnList{&p.pieceLabel, &p.piece}).wait();
   DisjointSets sets = joinRows(v, atStart, parted);
-  spreadLabels(p.pieceLabel, p.owned, sets, halos.all,
+  spreadLabels({p.pieceLabel.data(), p.size()}, p.owned, sets, halos.all,
                [&] { refresh(halos.cells, p, ColumnList{&p.pieceLabel}).wait(); });
-}
-
-void spreadLabels(Column<std::uint64_t>& labels, std::size_t owned, DisjointSets& sets, Reducer& all,
-                  const std::function<void()>& exchange) {
-  for (double changed = 1; changed > 0;) {
-    changed = spreadHere(labels, owned, sets) ? 1 : 0;
-    all.maximum({&changed, 1});
-    if (changed > 0) exchange();
-  }
 }
 
 }  // namespace thaw

@@ -3,7 +3,6 @@
 #pragma once
 #include <functional>
 
-#include "core/geometry/meshes/mesh_edges.hpp"
 #include "core/halo/halos.hpp"
 #include "core/rigid/rigid_view.hpp"
 
@@ -28,11 +27,5 @@ using PartedRows = std::function<bool(std::uint32_t, std::uint32_t)>;
 /// one body) and particles in touch of which one has no piece yet. parted: null if no piece breaks.
 /// Requires: ghosts. Collective.
 void labelPieces(const RigidView& view, const Halos& halos, bool atStart, const PartedRows& parted = nullptr);
-
-/// Sets the label of each connected set to its smallest label, on all ranks. Sets are over the owned rows and
-/// the copies of other ranks' rows; rows labelled notRigid are in none. exchange: sends the labels to the
-/// copies. Collective.
-void spreadLabels(Column<std::uint64_t>& labels, std::size_t owned, DisjointSets& sets, Reducer& all,
-                  const std::function<void()>& exchange);
 
 }  // namespace thaw

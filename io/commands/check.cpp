@@ -201,8 +201,9 @@ double timeSteps(CheckedWorld& c, int& steps) {
 /// Returns the expected step (s) of the run: that of the start, or the shorter one after the solid melts.
 double expectedStep(const World& w, const StepTools& t, double start) {
   double step = std::min(start, longestUnlimitedStep(w.clock));
-  for (const Limit l : limitsOfLiquid)
-    if (mayBeDry(w.scene, w.modules)) step = std::min(step, t.fixedLimits.value[static_cast<std::size_t>(l)]);
+  if (mayBeDry(w.scene, w.modules))
+    for (const Limit l : limitsOfLiquid)
+      step = std::min(step, t.fixedLimits.value[static_cast<std::size_t>(l)]);
   return step;
 }
 

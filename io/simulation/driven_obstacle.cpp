@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -71,8 +70,6 @@ void requireDrivable(const World& w, const Wall& wall) {
     throw std::invalid_argument(name + " cannot be driven: it is shorter than the periodic domain");
   requireKnownForces(w.scene, w.modules, name);
 }
-
-bool isFinite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 void setMotion(Wall& wall, double time, const ObstacleMotion& m) {
   std::vector<Keyframe>& keys = wall.properties.motion;

@@ -44,7 +44,7 @@ sameOnAllRanks tank 60 "25 40" "$work/tank.toml"
 [ "$(value "$work/tank.1/summary.json" substeps)" -gt 3 ] || fail "the tank has no substeps"
 settings melt
 sameOnAllRanks melt 24 "12 18" "$scenes/melt.toml" "${set[@]}" --set numerics.elastic_substeps=8
-# From the fall, with four substeps, to a melting foot whose surface tension is held over several steps.
+# Covers the fall with four substeps, and melting with surface tension that is evaluated every few steps.
 sameOnAllRanks soften 400 "60 250" "$scenes/melt.toml" --set spacing=0.012 --set output.every=0.01 \
   --set body.bust.temperature=312 --set body.bust.place.bottom="[0, 0, 0.008]"
 [ "$(value "$work/soften.1/summary.json" liquid_fraction)" != 0 ] || fail "nothing softens"

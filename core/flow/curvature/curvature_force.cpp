@@ -55,7 +55,7 @@ void addCurvatureForce(const CurvatureContext& x) {
   }
 }
 
-void holdCurvatureForce(Continuum& p) {
+void reuseCurvatureForce(Continuum& p) {
   AddedColumn& column = *tensionForceOf(p);
   for (std::uint32_t i = 0; i < p.owned; i++) {
     double* const kept = column.row(i);

@@ -16,8 +16,8 @@ namespace thaw {
 void addCurvatureForce(const CurvatureContext& context);
 
 /// Adds the force of the last evaluation to free liquid particles, and clears that of others
-/// (core/flow/curvature/tension_hold.hpp).
-void holdCurvatureForce(Continuum& particles);
+/// (core/flow/curvature/tension_interval.hpp).
+void reuseCurvatureForce(Continuum& particles);
 
 /// Records work and impulse of the force in a half kick over dt / 2 (s). Call it before the kick.
 void recordCurvatureKick(const WallView& world, HalfKick kick, double dt);

@@ -197,8 +197,8 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
 
   /// Inverse moment minus 1, times the interior weight: 0 up to a summed relative density of 0.9 (truncated
   /// by a free surface), 1 from 0.95. 0 where neighbours are on one side, as at the surface of a thin jet:
-  /// there, crowded particles that reach 0.9 would oscillate. 0 where an eigenvalue is below
-  /// 0.4: corrections above 2.5 would be unstable at this step.
+  /// there, crowded particles that reach 0.9 would oscillate. 0 where an eigenvalue is below 0.4:
+  /// corrections above 2.5 would be unstable at this step.
   THAW_INLINE Tensor<L> correctionNow() const {
     const Tensor<L>& m = s.moment;
     const L zero(0.0), one(1.0);

@@ -13,8 +13,6 @@
 namespace thaw {
 namespace {
 
-bool finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 void needPositive(const Shape& s, const char* what, double value) {
   if (!(value > 0 && std::isfinite(value)))
     throw ShapeError(std::string(what) + " is " + inDigits(value) + " m; expected a positive length",
@@ -60,7 +58,7 @@ ShapePart makeUnplaced(const Shape& s, const MeshLoader& load) {
   switch (s.kind) {
     case ShapeKind::Box:
       needPositive(s, "an edge of a box", std::min({s.size.x, s.size.y, s.size.z}));
-      if (!finite(s.size)) throw ShapeError("the size of a box is not finite", s.where);
+      if (!isFinite(s.size)) throw ShapeError("the size of a box is not finite", s.where);
       return std::make_shared<BoxDistance>(s.size);
     case ShapeKind::Sphere:
       needPositive(s, "the radius of a sphere", s.radius);
@@ -74,7 +72,7 @@ ShapePart makeUnplaced(const Shape& s, const MeshLoader& load) {
       needPositive(s, "the tube radius of a torus", s.radius2);
       return std::make_shared<TorusDistance>(s.radius, s.radius2);
     case ShapeKind::HalfSpace:
-      if (!finite(s.point) || !finite(s.normal) || !(length(s.normal) > 0))
+      if (!isFinite(s.point) || !isFinite(s.normal) || !(length(s.normal) > 0))
         throw ShapeError("a half-space needs a finite point and a normal that is not zero", s.where);
       return std::make_shared<HalfSpaceDistance>(s.point, s.normal);
     case ShapeKind::Glass:
@@ -98,7 +96,7 @@ ShapePart makeUnplaced(const Shape& s, const MeshLoader& load) {
 }  // namespace
 
 Placement placementOf(const Shape& s, const ShapePart& part) {
-  if (!finite(s.rotate) || !finite(s.move))
+  if (!isFinite(s.rotate) || !isFinite(s.move))
     throw ShapeError("the placement of a shape is not finite", s.where);
   Placement p;
   if (!(s.rotate == Vec3d{})) p.rotation = rotationXyz(s.rotate);
@@ -115,11 +113,11 @@ Placement placementOf(const Shape& s, const ShapePart& part) {
   }
   p.move = s.move;
   if (s.bottom) {
-    if (!finite(*s.bottom)) throw ShapeError("the bottom of a shape is not finite", s.where);
+    if (!isFinite(*s.bottom)) throw ShapeError("the bottom of a shape is not finite", s.where);
     p.move = {};
     const Bounds b = PlacedDistance(part, p).bounds();
     p.move = *s.bottom - Vec3d{0.5 * (b.min.x + b.max.x), 0.5 * (b.min.y + b.max.y), b.min.z};
-    if (!finite(p.move)) throw ShapeError("place.bottom: the shape is infinite; use place.move", s.where);
+    if (!isFinite(p.move)) throw ShapeError("place.bottom: the shape is infinite; use place.move", s.where);
   }
   return p;
 }

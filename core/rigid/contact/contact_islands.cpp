@@ -2,13 +2,12 @@
 #include "core/rigid/contact/contact_islands.hpp"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <map>
 #include <numeric>
 #include <tuple>
 
-#include "core/geometry/meshes/mesh_edges.hpp"
+#include "core/halo/word_streams.hpp"
+#include "core/rigid/data/spread_labels.hpp"
 
 namespace thaw {
 namespace {
@@ -19,25 +18,10 @@ bool movable(const PieceMotion& m) { return m.inverseMass > 0; }
 
 /// Islands of the rows of this rank.
 struct RowLabels {
-  std::vector<std::uint64_t> label;  ///< smallest id of the rows of the island on all ranks; noIsland: none
+  std::vector<std::uint64_t> label;  ///< 1 + the smallest id of the rows of the island on all ranks;
+                                     ///< noIsland: none
   std::vector<std::uint8_t> shared;  ///< 1: further ranks have rows of the island
 };
-
-/// Gives each set of rows the smallest of its labels. Returns true if a label changed.
-bool spreadLeast(DisjointSets& sets, std::vector<std::uint64_t>& label) {
-  std::vector<std::uint64_t> least(label.size(), noIsland);
-  for (std::uint32_t r = 0; r < label.size(); r++) {
-    std::uint64_t& l = least[sets.find(r)];
-    l = std::min(l, label[r]);
-  }
-  bool changed = false;
-  for (std::uint32_t r = 0; r < label.size(); r++) {
-    const std::uint64_t l = least[sets.find(r)];
-    changed = changed || l != label[r];
-    label[r] = l;
-  }
-  return changed;
-}
 
 RowLabels labelRows(std::span<const PieceMotion> pieces, std::span<const RigidContact> contacts,
                     PieceExchange& exchange, Reducer& all) {
@@ -45,38 +29,20 @@ RowLabels labelRows(std::span<const PieceMotion> pieces, std::span<const RigidCo
                  std::vector<std::uint8_t>(pieces.size(), 0)};
   DisjointSets sets(pieces.size());
   const auto touch = [&](std::uint32_t r) {
-    if (r != noPiece && movable(pieces[r])) rows.label[r] = exchange.id(r);
+    if (r != noPiece && movable(pieces[r])) rows.label[r] = exchange.id(r) + 1;
   };
   for (const RigidContact& c : contacts) {
     touch(c.a);
     touch(c.b);
     if (c.b != noPiece && movable(pieces[c.a]) && movable(pieces[c.b])) sets.join(c.a, c.b);
   }
-  spreadLeast(sets, rows.label);
-  for (double changed = all.size() > 1 ? 1 : 0; changed > 0;) {
-    exchange.minimum(rows.label);
-    changed = spreadLeast(sets, rows.label) ? 1 : 0;
-    all.maximum({&changed, 1});
-  }
+  const auto share = [&] { exchange.minimum(rows.label); };
+  share();  // other ranks may have the contacts of a row
+  spreadLabels(rows.label, rows.label.size(), sets, all, share);
   for (std::uint32_t r = 0; r < pieces.size(); r++)
     if (movable(pieces[r]) && exchange.shared(r)) rows.shared[sets.find(r)] = 1;
   for (std::uint32_t r = 0; r < pieces.size(); r++) rows.shared[r] = rows.shared[sets.find(r)];
   return rows;
-}
-
-/// Copies an object into words.
-template<class T> void addWords(std::vector<std::uint64_t>& words, const T& x) {
-  static_assert(sizeof(T) % sizeof(std::uint64_t) == 0);
-  using Words = std::array<std::uint64_t, sizeof(T) / sizeof(std::uint64_t)>;
-  const auto bits = std::bit_cast<Words>(x);
-  words.insert(words.end(), bits.begin(), bits.end());
-}
-
-template<class T> T takeWords(const std::vector<std::uint64_t>& words, std::size_t& at) {
-  std::array<std::uint64_t, sizeof(T) / sizeof(std::uint64_t)> bits;
-  std::copy_n(words.begin() + static_cast<std::ptrdiff_t>(at), bits.size(), bits.begin());
-  at += bits.size();
-  return std::bit_cast<T>(bits);
 }
 
 /// Rows and contacts of an island on this rank.
@@ -89,17 +55,17 @@ std::map<std::uint64_t, Members> membersOf(std::span<const PieceMotion> pieces,
                                            std::span<const RigidContact> contacts, const RowLabels& rows,
                                            const Reducer& all) {
   std::map<std::uint64_t, Members> members;
-  const auto of = [&](std::uint32_t r) -> Members& {
+  const auto membersWith = [&](std::uint32_t r) -> Members& {
     Members& m = members[rows.label[r]];
     m.home = rows.shared[r] ? homeRank(rows.label[r], all.size()) : all.rank();
     return m;
   };
   for (std::uint32_t r = 0; r < pieces.size(); r++)
-    if (rows.label[r] != noIsland) of(r).rows.push_back(r);
+    if (rows.label[r] != noIsland) membersWith(r).rows.push_back(r);
   for (std::uint32_t i = 0; i < contacts.size(); i++) {
     const RigidContact& c = contacts[i];
-    if (movable(pieces[c.a])) of(c.a).contacts.push_back(i);
-    else if (c.b != noPiece && movable(pieces[c.b])) of(c.b).contacts.push_back(i);
+    if (movable(pieces[c.a])) membersWith(c.a).contacts.push_back(i);
+    else if (c.b != noPiece && movable(pieces[c.b])) membersWith(c.b).contacts.push_back(i);
   }
   for (auto& [label, m] : members) {
     for (const std::uint32_t i : m.contacts)
@@ -241,7 +207,6 @@ GatheredIslands gatherIslands(std::span<const PieceMotion> pieces, std::span<con
     to.contacts.insert(to.contacts.end(), m.contacts.begin(), m.contacts.end());
   }
   GatheredIslands g = readIslands(send(std::move(out), all));
-  for (int rank = 0; rank < all.size(); rank++) sent[static_cast<std::size_t>(rank)].rank = rank;
   g.sent = std::move(sent);
   return g;
 }
@@ -266,7 +231,7 @@ void returnIslands(const GatheredIslands& g, std::span<PieceMotion> pieces, std:
     for (const std::uint32_t r : sent.rows) {
       const auto change = takeWords<PieceChange>(list.words, at);
       const auto velocity = takeWords<Vec3d>(list.words, at), spin = takeWords<Vec3d>(list.words, at);
-      if (!movable(pieces[r])) continue;  // in several islands
+      if (!movable(pieces[r])) continue;  // may be in several islands
       changes[r] = change;
       pieces[r].velocity = velocity;
       pieces[r].spin = spin;

@@ -25,10 +25,9 @@ struct GatheredIslands {
 
   /// Rows and contacts of islands that this rank sent to a rank, in the order of the message.
   struct Sent {
-    int rank = 0;
     std::vector<std::uint32_t> rows, contacts;
   };
-  std::vector<Sent> sent;
+  std::vector<Sent> sent;  ///< one for each rank
 
   /// A part of an island that a rank sent: its rows and contacts in the island, in the order of the message.
   struct Part {
@@ -39,13 +38,13 @@ struct GatheredIslands {
   std::vector<Part> parts;  ///< the parts of a rank are in the order of its message
 };
 
-/// Brings each island to one rank: the one that has all its rows, or a home rank. Contacts of prescribed rows
-/// alone belong to no island. Requires: all ranks that hold a row give the same bits. Collective.
+/// Brings each island to one rank: the one that has all its rows, or a home rank. Contacts between
+/// prescribed rows belong to no island. Requires: all ranks that hold a row give the same bits. Collective.
 GatheredIslands gatherIslands(std::span<const PieceMotion> pieces, std::span<const RigidContact> contacts,
                               PieceExchange& exchange, Reducer& all);
 
-/// Sets the results of the islands: impulses of contacts, velocity and spin of movable rows, and their
-/// changes, on all ranks that hold them. Collective.
+/// Sets the results of the islands on all ranks: impulses of contacts, velocity and spin of movable rows, and
+/// their changes. Collective.
 void returnIslands(const GatheredIslands& gathered, std::span<PieceMotion> pieces,
                    std::span<RigidContact> contacts, std::span<PieceChange> changes, Reducer& all);
 

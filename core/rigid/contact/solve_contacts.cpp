@@ -11,8 +11,6 @@
 namespace thaw {
 namespace {
 
-bool isFinite(const Vec3d& x) { return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z); }
-
 bool isFinite(const RigidContact& c, std::span<const PieceMotion> pieces) {
   bool finite = std::isfinite(c.gap) && isFinite(c.impulse) && isFinite(c.otherVelocity);
   for (const std::uint32_t r : {c.a, c.b})

@@ -41,8 +41,8 @@ struct ContactResult {
 /// with gap > 0 may close within the step, but no further. Overlap is removed by displacements without
 /// momentum. Sets impulses of contacts, velocity and spin of movable rows, and their changes (one for each
 /// row). Requires: step > 0; normals are unit vectors; each contact is given on exactly one rank; keys or
-/// normals of contacts differ. Ensures: the bits do not depend on the order of contacts, nor on the ranks
-/// that hold them. Collective.
+/// normals of contacts differ. Ensures: the bits do not depend on the order of contacts, nor on their ranks.
+/// Collective.
 ContactResult solveContacts(std::span<PieceMotion> pieces, std::span<RigidContact> contacts,
                             const ContactSettings& settings, PieceExchange& exchange, Reducer& all,
                             std::span<PieceChange> changes);

@@ -97,11 +97,17 @@ void setResponse(std::span<const PieceMotion> pieces, Contact& c) {
   c.inverse[2] = t11 / determinant;
 }
 
+/// Returns true if a tangential impulse is outside of the disc of Coulomb friction.
+bool slides(const Contact& c, const double (&t)[2]) {
+  const double most = c.friction * c.impulse[0];
+  return t[0] * t[0] + t[1] * t[1] > most * most;
+}
+
 /// Projects the tangential impulse onto the disc of Coulomb friction.
-void cutTangential(Contact& c, double (&t)[2]) {
-  const double most = c.friction * c.impulse[0], square = t[0] * t[0] + t[1] * t[1];
-  if (!(square > most * most)) return;
-  const double factor = most > 0 ? most / std::sqrt(square) : 0;
+void cutTangential(const Contact& c, double (&t)[2]) {
+  if (!slides(c, t)) return;
+  const double most = c.friction * c.impulse[0];
+  const double factor = most > 0 ? most / std::sqrt(t[0] * t[0] + t[1] * t[1]) : 0;
   t[0] *= factor;
   t[1] *= factor;
 }
@@ -118,8 +124,7 @@ double relax(Problem& p, Contact& c) {
   u[2] += c.response[2][0] * step[0];
   double t[2] = {c.impulse[1] - (c.inverse[0] * u[1] + c.inverse[1] * u[2]),
                  c.impulse[2] - (c.inverse[1] * u[1] + c.inverse[2] * u[2])};
-  const double most = c.friction * normal;
-  if (t[0] * t[0] + t[1] * t[1] > most * most) {  // it slides
+  if (slides(c, t)) {
     t[0] = c.impulse[1] - u[1] / c.stiffest;
     t[1] = c.impulse[2] - u[2] / c.stiffest;
     cutTangential(c, t);
@@ -156,13 +161,16 @@ void keepState(Problem& p) {
   for (Contact& c : p.contacts) std::copy_n(c.impulse, 3, c.before);
 }
 
+/// Weight (1/kg) of the direction k of a contact in the metric of the contacts.
+double weightOf(const Contact& c, int k) { return k == 0 ? c.response[0][0] : c.stiffest; }
+
 /// Returns the square of the change by the last sweep, in the metric of the contacts.
 double squareOfChange(const Problem& p) {
   double sum = 0;
   for (const Contact& c : p.contacts)
     for (int k = 0; k < 3; k++) {
       const double d = c.impulse[k] - c.before[k];
-      sum += (k == 0 ? c.response[0][0] : c.stiffest) * d * d;
+      sum += weightOf(c, k) * d * d;
     }
   return sum;
 }
@@ -201,8 +209,7 @@ bool opposes(const Problem& p) {
   double sum = 0;
   for (const Contact& c : p.contacts)
     for (int k = 0; k < 3; k++)
-      sum += (k == 0 ? c.response[0][0] : c.stiffest) * (c.impulse[k] - c.before[k]) *
-             (c.impulse[k] - c.other[k]);
+      sum += weightOf(c, k) * (c.impulse[k] - c.before[k]) * (c.impulse[k] - c.other[k]);
   return sum < 0;
 }
 

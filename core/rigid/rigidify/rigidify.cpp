@@ -5,6 +5,7 @@
 
 #include "core/halo/exchange.hpp"
 #include "core/rigid/connect.hpp"
+#include "core/rigid/data/spread_labels.hpp"
 #include "core/rigid/link_pieces.hpp"
 #include "core/rigid/piece_sums.hpp"
 #include "core/rigid/rigidify/deforming.hpp"
@@ -39,7 +40,7 @@ void labelBonded(const RigidifyView& v, const Halos& halos, SlotPieces& labels) 
   }
   refresh(halos.bonds, s, ColumnList{&labels.piece}).wait();
   DisjointSets sets = joinBonded(v, labels);
-  spreadLabels(labels.piece, s.owned, sets, halos.all,
+  spreadLabels({labels.piece.data(), s.size()}, s.owned, sets, halos.all,
                [&] { refresh(halos.bonds, s, ColumnList{&labels.piece}).wait(); });
 }
 

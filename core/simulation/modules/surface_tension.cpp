@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/flow/curvature/curvature_force.hpp"
-#include "core/flow/curvature/tension_hold.hpp"
+#include "core/flow/curvature/tension_interval.hpp"
 #include "core/scene/tension_form.hpp"
 #include "core/simulation/ledger/energy_left.hpp"
 #include "core/simulation/modules/step_modules.hpp"
@@ -32,9 +32,9 @@ StepModule tensionByCurvature() {
             [](StepContext& c) { recordCurvatureKick(wallView(c.w), HalfKick::First, c.dt); }},
            {ModulePhase::ContinuumForce,
             [](StepContext& c) {
-              if (isTensionDue(c.t.tensionHold, c.w.clock, c.dt))
+              if (isTensionDue(c.t.tensionInterval, c.w.clock, c.dt))
                 addCurvatureForce({wallView(c.w), c.w.neighbours, c.t.wallContacts, c.halos.cells});
-              else holdCurvatureForce(c.w.particles);
+              else reuseCurvatureForce(c.w.particles);
               c.t.times.lap(StepPhase::Forces);
             }},
            {ModulePhase::SecondKick,

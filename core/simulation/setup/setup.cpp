@@ -8,7 +8,7 @@
 
 #include "core/domain/extensions.hpp"
 #include "core/domain/sides.hpp"
-#include "core/flow/curvature/tension_hold.hpp"
+#include "core/flow/curvature/tension_interval.hpp"
 #include "core/fluid/laws/surface_energy.hpp"
 #include "core/geometry/basic/shape_error.hpp"
 #include "core/heat/sources/light_work.hpp"
@@ -172,7 +172,7 @@ void setScales(const World& w, StepTools& t) {
     t.pressure.relaxation = 0.9 / largestPressureResponse(n);
     t.pressure.correctionTime = w.scene.spacing / (sound * std::sqrt(n.maxDensityError));
   }
-  if (actsByCurvature(n, w.modules)) t.tensionHold = tensionHold(w.scene);
+  if (actsByCurvature(n, w.modules)) t.tensionInterval = tensionInterval(w.scene);
   if (w.modules.surfaceEnergy) t.surface = surfaceMeasure(n, w.scene.spacing);
   t.relativeDensityScale = t.inverseLatticeSum / (h * h * h);
 }
@@ -298,8 +298,8 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   if (mayBeDry(w.scene, w.modules)) {
     double wet = isDry(p) ? 0 : 1;
     halos.all.maximum({&wet, 1});
-    for (const Limit l : limitsOfLiquid)
-      if (wet == 0) limits[l] = never;
+    if (wet == 0)
+      for (const Limit l : limitsOfLiquid) limits[l] = never;
   }
   // The step of rigid parts may be longer, and obeys these limits from the next step on.
   if (w.modules.rigidify) limits[Limit::Elastic] = limits[Limit::Contact] = never;

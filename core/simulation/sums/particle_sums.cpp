@@ -7,7 +7,7 @@
 
 #include "core/contact/solid_contact.hpp"
 #include "core/domain/extensions.hpp"
-#include "core/flow/curvature/tension_hold.hpp"
+#include "core/flow/curvature/tension_interval.hpp"
 #include "core/flow/density/carried_density.hpp"
 #include "core/flow/implicit_viscosity/implicit_viscosity.hpp"
 #include "core/flow/incompressible/pressure_solver.hpp"
@@ -194,7 +194,7 @@ void sumDensities(World& w, StepTools& t, GroupRange range, double elapsed) {
     t.kernels->density(sums, range);
   }
   const bool curvature = actsByCurvature(w.scene.numerics, w.modules) &&
-                         isTensionDue(t.tensionHold, w.clock, elapsed);
+                         isTensionDue(t.tensionInterval, w.clock, elapsed);
   if (w.modules.surfaceEnergy || curvature) t.kernels->surfaceColours(pairSumsOf(w, t), range);
   t.times.lap(StepPhase::Density);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The largest stable time step (docs/validation/stability.md, row 10; M92, MFZ97).
 #pragma once
+#include <array>
+
 #include "core/materials/liquid_materials.hpp"
 #include "core/simulation/time/step_limits.hpp"
 #include "core/simulation/world/world.hpp"
@@ -17,10 +19,10 @@ StepLimits materialLimits(const Scene& scene, const Modules& modules,
 /// or for n > 1 at the largest rate that the scene resolves.
 double flowLawStepLimit(const Scene& scene, const Material& material);
 
-/// Limits that hold only while there is liquid.
+/// Limits that apply only while there is liquid.
 inline constexpr std::array limitsOfLiquid{Limit::Sound, Limit::Viscous, Limit::Tension};
-/// Returns true if limitsOfLiquid can be off for a while: all solids have substeps, and no liquid but molten
-/// solid appears.
+/// Returns true if limitsOfLiquid can be off for a while: all solids have substeps, and liquid arises only by
+/// melting.
 bool mayBeDry(const Scene& scene, const Modules& modules);
 /// Returns true if no owned particle is liquid, even in part.
 bool isDry(const Continuum& particles);

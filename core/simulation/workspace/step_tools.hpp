@@ -53,7 +53,7 @@ struct StepTools {
   ViscousWeight viscousWeight;   ///< for pairwise viscosity
   double inverseLatticeSum = 1;  ///< factor that turns sums over V W into relative densities
   SurfaceMeasure surface;        ///< for surface tension as an energy
-  double tensionHold = 0;        ///< s, tensionHold
+  double tensionInterval = 0;    ///< s, tensionInterval
   double selfExcess = 0;         ///< subtracted from a particle's relative density, per V0 / h^3 of its own
                                  ///< (terms/density.hpp)
   double stableViscousStep = 0;  ///< largest stable dt nu / h^2 on the lattice

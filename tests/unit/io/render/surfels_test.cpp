@@ -33,8 +33,8 @@ int brightness(Rgb a) { return a.r + a.g + a.b; }
 /// Value of the body's field, < 0 inside.
 using Field = std::function<double(const Vec3d&)>;
 
-/// Returns true if the ray through the middle of a pixel meets the body, which is within 2 m of the point
-/// that the camera looks at.
+/// Returns true if the ray through the middle of a pixel meets the body, which is within 2 m of the
+/// camera's target.
 bool meetsBody(const Field& field, const RenderStyle& style, int x, int y) {
   constexpr double step = 1e-3;
   const View view = viewOf(style.camera, style.width, style.height);

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/flow/curvature/tension_hold.hpp"
+#include "core/flow/curvature/tension_interval.hpp"
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstdint>
-#include <numbers>
 
 #include "core/materials/liquid_materials.hpp"
 #include "core/materials/surface_tension.hpp"
 #include "core/scene/material_use.hpp"
-#include "core/scene/phase_density.hpp"
 
 namespace thaw {
 namespace {
@@ -23,29 +20,23 @@ double leastViscosity(const Material& m) {
   return least;
 }
 
-double largestTensionOf(const Material& m) {
-  return m.surfaceTensionTable.empty() ? m.surfaceTension : largestTension(m.surfaceTensionTable);
-}
-
 }  // namespace
 
-double tensionHold(const Scene& s) {
+double tensionInterval(const Scene& s) {
   const Numerics& n = s.numerics;
-  const double h = n.support * s.spacing;
-  double hold = never;
+  double interval = never;
   for (std::size_t k = 0; k < s.materials.size(); k++) {
     const Material& m = s.materials[k];
-    const double tension = largestTensionOf(m);
+    const double tension = m.surfaceTension;
     if (!inUse(s, k) || !canBeLiquid(m) || !(tension > 0)) continue;
-    const double limit = n.cflTension *
-                         std::sqrt(leastDensityOf(m) * h * h * h / (2 * std::numbers::pi * tension));
-    hold = std::min({hold, 0.1 * limit, 0.25 * leastViscosity(m) * s.spacing / tension});
+    interval = std::min({interval, 0.1 * (n.cflTension * capillaryTime(s, m)),
+                         0.25 * leastViscosity(m) * s.spacing / tension});
   }
-  return hold < never ? hold : 0;
+  return interval < never ? interval : 0;
 }
 
-bool isTensionDue(double hold, const Clock& clock, double dt) {
-  const double fitting = clock.dt > 0 ? std::min(hold / clock.dt, 64.0) : 0;
+bool isTensionDue(double interval, const Clock& clock, double dt) {
+  const double fitting = clock.dt > 0 ? std::min(interval / clock.dt, 64.0) : 0;
   const auto steps = static_cast<std::int64_t>(std::bit_floor(static_cast<std::uint64_t>(fitting)));
   return dt == 0 || steps <= 1 || clock.step % steps == 0;
 }

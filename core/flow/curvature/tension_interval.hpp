@@ -11,12 +11,12 @@ namespace thaw {
 /// The mean delay of tau / 2 lets waves of the wave number k grow at a rate of gamma k^3 tau / (4 rho). Up to
 /// k = pi / dx this is at most a tenth of their viscous decay 2 mu k^2 / rho. 0 without tension, without
 /// viscosity, and with flow laws.
-double tensionHold(const Scene& scene);
+double tensionInterval(const Scene& scene);
 
 /// Returns true if the force is evaluated at the end of a step of dt (s); dt = 0: at the start. The number of
-/// steps between evaluations is the largest power of two, up to 64, that fits into `hold`. Where it changes,
-/// the steps of one size are multiples of those of the other, so no evaluation is put off for long.
+/// steps between evaluations is the largest power of two, up to 64, that fits into the interval. Where it
+/// changes, the steps of one size are multiples of those of the other, so no evaluation is put off for long.
 /// Requires: the clock at the beginning of the step.
-bool isTensionDue(double hold, const Clock& clock, double dt);
+bool isTensionDue(double interval, const Clock& clock, double dt);
 
 }  // namespace thaw

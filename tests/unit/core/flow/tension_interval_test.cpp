@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long surface tension by curvature may be held.
-#include "core/flow/curvature/tension_hold.hpp"
+// Interval between evaluations of surface tension by curvature.
+#include "core/flow/curvature/tension_interval.hpp"
 
 #include <gtest/gtest.h>
 
@@ -31,29 +31,29 @@ double limitOf(const Scene& s) {
 
 }  // namespace
 
-TEST(TensionHold, IsATenthOfTheStepLimitInThickLiquids) {
+TEST(TensionInterval, IsATenthOfTheStepLimitInThickLiquids) {
   const Scene s = dropOf(10);
-  EXPECT_NEAR(tensionHold(s), 0.1 * limitOf(s), 1e-12);
+  EXPECT_NEAR(tensionInterval(s), 0.1 * limitOf(s), 1e-12);
 }
 
-TEST(TensionHold, IsShortWhereViscosityDampsLittle) {
+TEST(TensionInterval, IsShortWhereViscosityDampsLittle) {
   const Scene s = dropOf(1e-3);
-  EXPECT_NEAR(tensionHold(s), 0.25 * 1e-3 * 0.004 / 0.03, 1e-12);
-  EXPECT_LT(tensionHold(s), 0.01 * limitOf(s));
+  EXPECT_NEAR(tensionInterval(s), 0.25 * 1e-3 * 0.004 / 0.03, 1e-12);
+  EXPECT_LT(tensionInterval(s), 0.01 * limitOf(s));
 }
 
-TEST(TensionHold, IsNoneWithoutTensionOrViscosity) {
+TEST(TensionInterval, IsNoneWithoutTensionOrViscosity) {
   Scene s = dropOf(0);
-  EXPECT_EQ(tensionHold(s), 0);
+  EXPECT_EQ(tensionInterval(s), 0);
   s = dropOf(10);
   s.materials[0].surfaceTension = 0;
-  EXPECT_EQ(tensionHold(s), 0);
+  EXPECT_EQ(tensionInterval(s), 0);
   s = dropOf(10);
   s.materials[0].flowLaw.law = FlowLaw::Bingham;
-  EXPECT_EQ(tensionHold(s), 0);
+  EXPECT_EQ(tensionInterval(s), 0);
 }
 
-TEST(TensionHold, IsAWholeNumberOfSteps) {
+TEST(TensionInterval, IsAWholeNumberOfSteps) {
   Clock clock;
   clock.dt = 1e-4;
   int due = 0;
@@ -66,16 +66,16 @@ TEST(TensionHold, IsAWholeNumberOfSteps) {
 }
 
 // The number of steps between evaluations follows the step, in powers of two.
-TEST(TensionHold, IsBoundedWhileTheStepChanges) {
-  const double hold = 1e-3;
+TEST(TensionInterval, IsBoundedWhileTheStepChanges) {
+  const double interval = 1e-3;
   for (const double growth : {0.97, 0.8, 1.03, 1.25}) {
     Clock clock;
-    clock.dt = growth < 1 ? hold : 0.02 * hold;
+    clock.dt = growth < 1 ? interval : 0.02 * interval;
     double since = 0;
     for (clock.step = 0; clock.step < 200; clock.step++) {
-      since = isTensionDue(hold, clock, clock.dt) ? 0 : since + clock.dt;
-      EXPECT_LT(since, 2 * hold);
-      clock.dt = std::max(0.02 * hold, std::min(hold, clock.dt * growth));
+      since = isTensionDue(interval, clock, clock.dt) ? 0 : since + clock.dt;
+      EXPECT_LT(since, 2 * interval);
+      clock.dt = std::max(0.02 * interval, std::min(interval, clock.dt * growth));
     }
   }
 }

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Labels of connected sets of rows that lie on several ranks.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "core/geometry/meshes/mesh_edges.hpp"
+#include "core/halo/halo.hpp"
+
+namespace thaw {
+
+/// Sets the label of each connected set to its smallest label, on all ranks. Sets are over the owned rows and
+/// the copies of other ranks' rows; rows labelled notRigid are in none. labels: of all rows of the sets,
+/// owned ones first. exchange: sends the labels to the copies. Collective.
+void spreadLabels(std::span<std::uint64_t> labels, std::size_t owned, DisjointSets& sets, Reducer& all,
+                  const std::function<void()>& exchange);
+
+}  // namespace thaw
