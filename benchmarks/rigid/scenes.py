@@ -14,6 +14,7 @@ law = "rigid"
 density = 2500
 friction = {friction}
 restitution = {restitution}
+rolling_friction = {rolling}
 [numerics]
 max_step = {step}
 sleep_speed = {sleep_speed}
@@ -47,6 +48,7 @@ def head(low, high, gravity, **settings):
         end=1,
         friction=0.5,
         restitution=0,
+        rolling=0,
         step=1e-3,
         sleep_speed=0,
         every=1,
@@ -119,6 +121,7 @@ def pile(pieces, end, sleeps):
         (0, 0, -9.81),
         restitution=0.2,
         friction=0.4,
+        rolling=0.01,
         end=end,
         every=end,
         step=2e-3,

@@ -172,6 +172,8 @@ struct Continuum : Table {
       "rigid piece or obstacle that pressed on it most in the last step; 0: none", Rows::Owned};
   Column<Vec3d> contactImpulse{*this, "contactImpulse", "N s", Keep::State,
       "impulse of that contact; first guess of the next solve", Rows::Owned};
+  Column<Vec3d> rollingImpulse{*this, "rollingImpulse", "N m s", Keep::State,
+      "angular impulse of that contact by rolling friction; first guess of the next solve", Rows::Owned};
   // Rest (core/sleep/sleep.hpp).
   Column<float> restTime{*this, "restTime", "s", Keep::State,
       "time since it last moved, accelerated or warmed; with numerics.rigidify, since it last deformed"};

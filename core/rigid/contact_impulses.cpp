@@ -80,7 +80,7 @@ SolvedContacts findContactImpulses(const RigidView& v, const Halos& halos, doubl
   RankPieceExchange exchange = exchangeOf(p, v.work, halos.all);
   solved.result = solveContacts(motions, contacts, settingsOf(v, dt), exchange, halos.all, changes);
   solved.tolerance = solved.result.tolerance;
-  for (std::size_t k = 0; k < contacts.size(); k++) solved.contacts[k].contact.impulse = contacts[k].impulse;
+  for (std::size_t k = 0; k < contacts.size(); k++) solved.contacts[k].contact = contacts[k];
   keepImpulses(solved.contacts, p, v.particles);
   for (std::size_t k = 0; k < p.owned; k++) {
     p.contactImpulse[k] = changes[k].impulse;

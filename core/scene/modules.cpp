@@ -225,6 +225,8 @@ bool findRigid(Finder& f, const std::vector<bool>& used) {
     if (!used[k] || !x.canBeSolid()) continue;
     if (x.isRigid()) f.on(m.rigid, "rigid pieces", "the law of material " + quoted(x.name) + " is \"rigid\"");
     else elastic = true;
+    if (x.isRigid() && x.rollingFriction > 0)
+      f.on(m.rollingFriction, "rolling friction", "material " + quoted(x.name) + " has a `rolling_friction`");
     if (x.isRigid() && x.strength < never)
       f.on(m.breaking, "breaking of rigid pieces", "material " + quoted(x.name) + " has a strength");
   }

@@ -49,6 +49,7 @@ struct Modules {
   bool surfaceHeat = false;         ///< convection or radiation to the ambient
   bool sleep = false;               ///< solids at rest sleep: their sums are skipped (core/sleep/)
   bool pieceSleep = false;          ///< rigid pieces at rest sleep (core/rigid/sleeping_pieces.hpp)
+  bool rollingFriction = false;     ///< rigid pieces have rolling friction (core/rigid/contact/rolling.hpp)
   bool breaking = false;            ///< rigid pieces break in impacts (core/rigid/breaking/)
   bool neighbours = false;          ///< some sum over unbonded neighbours
   bool surface = false;             ///< surfels on the continuum bodies

@@ -70,6 +70,7 @@ struct Material {
   double damping = 0;               // 1/s, decay rate of velocity differences between bonded particles
   bool weld = false;                // solids of this material weld where they touch
   double friction = 0.3;            // 1, Coulomb, between separate solids
+  double rollingFriction = 0;       // m, largest moment over the normal force at a contact of rigid pieces
   double restitution = 0.5;         // 1, of contacts between separate solids
   // heat
   Blend conductivity{0, 0};                  // W/(m K)

@@ -16,6 +16,7 @@ gravity = [0, 0, -9.81]
 law = "rigid"
 density = 2500
 friction = 0.4
+rolling_friction = 0.01
 restitution = 0.2
 [numerics]
 max_step = 0.002

@@ -53,6 +53,45 @@ TEST(RigidContact, ABallRollsWithoutBumps) {
   }
 }
 
+TEST(RigidContact, RollingFrictionSlowsOrHoldsABall) {
+  const double radius = 0.3, angle = 0.05;
+  for (const double arm : {0.3 * radius * std::tan(angle), 2 * radius * std::tan(angle)}) {
+    RigidRig rig(spacing, 6, 1e-3);
+    rig.setFriction(0.5, 0);
+    rig.scene.materials[0].rollingFriction = arm;
+    rig.gravity = along(angle);
+    rig.pieces.push_back(pieceOf(SphereDistance(radius), spacing, 1000));
+    rig.pieces[0].centre = {-1.03, 0.04, radius};
+    const double ratio = rig.pieces[0].inertia.x / (rig.pieces[0].mass * radius * radius);
+    for (int n = 0; n < 1000; n++) rig.step();
+    const double exact = std::max(0.0, rig.gravity.x + arm / radius * rig.gravity.z) / (1 + ratio);
+    EXPECT_NEAR(rig.pieces[0].velocity.x, exact, 0.01 * exact + 1e-6);
+  }
+}
+
+TEST(RigidContact, RollingFrictionStopsASpin) {
+  const double radius = 0.3, arm = 0.01, spin = 5;
+  RigidRig rig(spacing, 3, 1e-3);
+  rig.setFriction(0.5, 0);
+  rig.scene.materials[0].rollingFriction = arm;
+  rig.pieces.push_back(pieceOf(SphereDistance(radius), spacing, 1000));
+  RigPiece& ball = rig.pieces[0];
+  ball.centre = {0.01, 0.02, radius};
+  ball.angularMomentum = ball.inertia.z * Vec3d{0, 0, spin};
+  const double slowing = arm * ball.mass * 9.81 / ball.inertia.z, stops = spin / slowing;
+  // The contact also takes the energy that gravity adds before it in each step.
+  const double fall = rig.settings.step * 9.81, added = 0.5 * ball.mass * fall * fall;
+  double energy = rig.kineticEnergy();
+  for (double t = 0; t < 0.5 * stops; t += rig.settings.step) {
+    rig.step();
+    energy += added - rig.last.dissipated;
+  }
+  EXPECT_NEAR(ball.spin().z, 0.5 * spin, 0.01 * spin);
+  EXPECT_NEAR(energy, rig.kineticEnergy(), 1e-3 * energy);
+  for (double t = 0; t < 0.6 * stops; t += rig.settings.step) rig.step();
+  EXPECT_LT(length(ball.spin()), 1e-3);
+}
+
 TEST(RigidContact, ReboundFollowsTheRestitution) {
   for (const bool box : {false, true})
     for (const double restitution : {0.3, 0.8}) {

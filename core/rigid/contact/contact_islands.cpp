@@ -223,8 +223,11 @@ void returnIslands(const GatheredIslands& g, std::span<PieceMotion> pieces, std:
       addWords(to, s.pieces[r].spin);
     }
   for (const GatheredIslands::Part& part : g.parts)
-    for (const std::uint32_t i : part.contacts)
-      addWords(back.to(part.rank), g.islands[part.island].contacts[i].impulse);
+    for (const std::uint32_t i : part.contacts) {
+      const RigidContact& c = g.islands[part.island].contacts[i];
+      addWords(back.to(part.rank), c.impulse);
+      addWords(back.to(part.rank), c.angularImpulse);
+    }
   for (const WordStream& list : send(std::move(back), all)) {
     const GatheredIslands::Sent& sent = g.sent[static_cast<std::size_t>(list.rank)];
     std::size_t at = 0;
@@ -236,7 +239,10 @@ void returnIslands(const GatheredIslands& g, std::span<PieceMotion> pieces, std:
       pieces[r].velocity = velocity;
       pieces[r].spin = spin;
     }
-    for (const std::uint32_t i : sent.contacts) contacts[i].impulse = takeWords<Vec3d>(list.words, at);
+    for (const std::uint32_t i : sent.contacts) {
+      contacts[i].impulse = takeWords<Vec3d>(list.words, at);
+      contacts[i].angularImpulse = takeWords<Vec3d>(list.words, at);
+    }
   }
 }
 

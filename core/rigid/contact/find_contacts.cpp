@@ -174,6 +174,7 @@ void addPairContact(Search& s, std::uint32_t i, const Candidate& to) {
   const Material &m = s.in.scene.materials[p.material[i]], &o = s.in.scene.materials[p.material[j]];
   f.contact.friction = std::min(m.friction, o.friction);
   f.contact.restitution = std::min(m.restitution, o.restitution);
+  f.contact.rolling = std::max(m.rollingFriction, o.rollingFriction);
   s.found.push_back(f);
 }
 
@@ -342,6 +343,8 @@ void addWallContact(Search& s, std::uint32_t i, std::uint32_t k, const ElementCo
   c.otherVelocity = wallVelocity(wall, e.point);
   c.friction = std::min(m.friction, wall.properties.friction);
   c.restitution = std::min(m.restitution, wall.properties.restitution);
+  c.rolling = m.rollingFriction;
+  if (c.rolling > 0) c.otherSpin = wall.pose.angularVelocity;
   c.keyB = f.partner = obstacleBit | k;
   if (mayClose(s.in, s.motion, c)) s.found.push_back(f);
 }
@@ -415,14 +418,19 @@ void guessImpulses(const Continuum& p, std::span<FoundContact> contacts) {
     if (p.contactPartner[i] != contacts[k].partner) continue;
     if (best[i] == none || order(k) < order(best[i])) best[i] = k;
   }
-  for (const std::size_t k : best)
-    if (k != none) contacts[k].contact.impulse = p.contactImpulse[contacts[k].particle];
+  for (const std::size_t k : best) {
+    if (k == none) continue;
+    RigidContact& c = contacts[k].contact;
+    c.impulse = p.contactImpulse[contacts[k].particle];
+    if (p.rollingImpulse.active) c.angularImpulse = p.rollingImpulse[contacts[k].particle];
+  }
 }
 
 void keepImpulses(std::span<const FoundContact> contacts, const Pieces& pieces, Continuum& p) {
   const auto forget = [&](std::size_t i) {
     p.contactPartner[i] = 0;
     p.contactImpulse[i] = {};
+    if (p.rollingImpulse.active) p.rollingImpulse[i] = {};
   };
   for (std::size_t i = 0; i < p.owned; i++)
     if (p.piece[i] == notRigid || !pieces.asleep[p.pieceRow[i]]) forget(i);
@@ -433,6 +441,7 @@ void keepImpulses(std::span<const FoundContact> contacts, const Pieces& pieces, 
     if (size > other || (size == other && size > 0 && f.partner < p.contactPartner[f.particle])) {
       p.contactPartner[f.particle] = f.partner;
       p.contactImpulse[f.particle] = now;
+      if (p.rollingImpulse.active) p.rollingImpulse[f.particle] = f.contact.angularImpulse;
     }
   }
 }

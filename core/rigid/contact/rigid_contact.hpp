@@ -35,9 +35,12 @@ struct RigidContact {
   double gap = 0;                    ///< m, negative if the two overlap
   double friction = 0;               ///< 1, Coulomb's coefficient
   double restitution = 0;            ///< 1, Newton's coefficient
+  double rolling = 0;                ///< m, largest moment of rolling friction over the normal force
   Vec3d otherVelocity{};             ///< m/s, of the obstacle at the point; zero for a piece
+  Vec3d otherSpin{};                 ///< rad/s, of the obstacle; zero for a piece
   std::uint64_t keyA = 0, keyB = 0;  ///< particle of a; particle of b or number of the obstacle
-  Vec3d impulse{};  ///< N s, on a; in: first guess, for example that of the last step; out: the result
+  Vec3d impulse{};         ///< N s, on a; in: first guess, for example that of the last step; out: the result
+  Vec3d angularImpulse{};  ///< N m s, on a, of rolling friction; in and out as the impulse
 };
 
 /// Change of a row by the solver. Pieces that touch nothing have zeros.

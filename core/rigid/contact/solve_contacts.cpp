@@ -12,7 +12,8 @@ namespace thaw {
 namespace {
 
 bool isFinite(const RigidContact& c, std::span<const PieceMotion> pieces) {
-  bool finite = std::isfinite(c.gap) && isFinite(c.impulse) && isFinite(c.otherVelocity);
+  bool finite = std::isfinite(c.gap) && isFinite(c.impulse) && isFinite(c.angularImpulse) &&
+                isFinite(c.otherVelocity) && isFinite(c.otherSpin);
   for (const std::uint32_t r : {c.a, c.b})
     if (r != noPiece) finite = finite && isFinite(pieces[r].velocity) && isFinite(pieces[r].spin);
   return finite;
@@ -25,19 +26,24 @@ void recordBalance(const GatheredIslands& gathered, const std::vector<IslandSolv
                    ContactResult& result) {
   const auto eachContact = [&](auto&& use) {
     for (std::size_t k = 0; k < solves.size(); k++)
-      for (std::size_t i = 0; i < gathered.islands[k].contacts.size(); i++)
-        use(gathered.islands[k].contacts[i], solves[k].mean[i]);
+      for (std::size_t i = 0; i < gathered.islands[k].contacts.size(); i++) {
+        const bool rolls = !solves[k].meanSpin.empty();
+        use(gathered.islands[k].contacts[i], solves[k].mean[i], rolls ? solves[k].meanSpin[i] : Vec3d{});
+      }
   };
   double scale = 0;
-  eachContact([&](const RigidContact& c, const Vec3d& mean) {
-    scale = std::max(scale, length(c.impulse) * (1 + length(mean) + length(c.otherVelocity)));
+  eachContact([&](const RigidContact& c, const Vec3d& mean, const Vec3d& spin) {
+    scale = std::max({scale, length(c.impulse) * (1 + length(mean) + length(c.otherVelocity)),
+                      length(c.angularImpulse) * (length(spin) + length(c.otherSpin))});
   });
   all.maximum({&scale, 1});
   if (!(scale > 0)) return;
   ContactSums<balances> sums{FixedUnit::forScale(scale)};
-  eachContact([&](const RigidContact& c, const Vec3d& mean) {
+  eachContact([&](const RigidContact& c, const Vec3d& mean, const Vec3d& spin) {
     const Vec3d onPiece = c.b == noPiece ? c.impulse : Vec3d{};
-    sums.add({-dot(c.impulse, mean), dot(onPiece, c.otherVelocity), onPiece.x, onPiece.y, onPiece.z});
+    sums.add({-dot(c.impulse, mean) - dot(c.angularImpulse, spin),
+              dot(onPiece, c.otherVelocity) + dot(c.angularImpulse, c.otherSpin), onPiece.x, onPiece.y,
+              onPiece.z});
   });
   sums.sum(all);
   result.dissipated = sums.value(Lost);
@@ -94,7 +100,7 @@ ContactResult solveContacts(std::span<PieceMotion> pieces, std::span<RigidContac
   for (ContactIsland& island : gathered.islands) solves.push_back(solveIsland(island, settings));
   recordProgress(solves, all, result);
   recordBalance(gathered, solves, all, result);
-  for (RigidContact& c : contacts) c.impulse = {};
+  for (RigidContact& c : contacts) c.impulse = c.angularImpulse = {};
   returnIslands(gathered, pieces, contacts, changes, all);
   return result;
 }

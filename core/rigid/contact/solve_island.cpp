@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/rigid/contact/rolling.hpp"
+
 namespace thaw {
 namespace {
 
@@ -31,6 +33,7 @@ struct Contact {
 struct Problem {
   std::span<const PieceMotion> pieces;
   std::vector<Contact> contacts;
+  std::vector<Rolling> rolling;    ///< contacts with rolling friction
   std::vector<Row> rows;           ///< changes by the impulses
   std::vector<Row> before, other;  ///< the same by the impulses of the contacts of these names
 };
@@ -58,6 +61,12 @@ void push(Problem& p, const Contact& c, const Vec3d& impulse) {
   if (c.b != noPiece) push(p.pieces[c.b], c.armB, -impulse, p.rows[c.b]);
 }
 
+void turn(Problem& p, const Rolling& r, const Vec3d& impulse) {
+  const Contact& c = p.contacts[r.contact];
+  p.rows[c.a].spin += p.pieces[c.a].inverseInertia * impulse;
+  if (c.b != noPiece) p.rows[c.b].spin -= p.pieces[c.b].inverseInertia * impulse;
+}
+
 Vec3d vectorOf(const Contact& c, const double (&x)[3]) {
   return x[0] * c.axis[0] + x[1] * c.axis[1] + x[2] * c.axis[2];
 }
@@ -67,6 +76,12 @@ Vec3d changeOf(const Problem& p, const Contact& c) {
   Vec3d u = p.rows[c.a].velocity + cross(p.rows[c.a].spin, c.armA);
   if (c.b != noPiece) u -= p.rows[c.b].velocity + cross(p.rows[c.b].spin, c.armB);
   return u;
+}
+
+/// Change of the relative spin by the changes of the rows.
+Vec3d changeOf(const Problem& p, const Rolling& r) {
+  const Contact& c = p.contacts[r.contact];
+  return c.b == noPiece ? p.rows[c.a].spin : p.rows[c.a].spin - p.rows[c.b].spin;
 }
 
 void setAxes(Contact& c, const Vec3d& normal) {
@@ -142,16 +157,25 @@ double relax(Problem& p, Contact& c) {
 void sumImpulses(Problem& p) {
   std::fill(p.rows.begin(), p.rows.end(), Row{});
   for (const Contact& c : p.contacts) push(p, c, vectorOf(c, c.impulse));
+  for (const Rolling& r : p.rolling) turn(p, r, r.impulse);
+}
+
+/// Solves the rolling friction of a contact. Returns its velocity error (m/s).
+double relax(Problem& p, Rolling& r) {
+  const Vec3d step = relaxRolling(r, changeOf(p, r), p.contacts[r.contact].impulse[0]);
+  turn(p, r, step);
+  return length(step) * r.stiffest * r.radius;
 }
 
 /// Solves each contact once. Returns the largest velocity error (m/s), which is NaN if any of them is.
 double sweep(Problem& p) {
   double largest = 0;
+  const auto add = [&](double error) {
+    if (!(error <= largest)) largest = error;
+  };
   for (Contact& c : p.contacts)
-    if (c.response[0][0] > 0) {
-      const double error = relax(p, c);
-      if (!(error <= largest)) largest = error;
-    }
+    if (c.response[0][0] > 0) add(relax(p, c));
+  for (Rolling& r : p.rolling) add(relax(p, r));
   return largest;
 }
 
@@ -159,6 +183,7 @@ double sweep(Problem& p) {
 void keepState(Problem& p) {
   p.before = p.rows;
   for (Contact& c : p.contacts) std::copy_n(c.impulse, 3, c.before);
+  for (Rolling& r : p.rolling) r.before = r.impulse;
 }
 
 /// Weight (1/kg) of the direction k of a contact in the metric of the contacts.
@@ -172,6 +197,10 @@ double squareOfChange(const Problem& p) {
       const double d = c.impulse[k] - c.before[k];
       sum += weightOf(c, k) * d * d;
     }
+  for (const Rolling& r : p.rolling) {
+    const Vec3d d = r.impulse - r.before;
+    sum += r.stiffest * dot(d, d);
+  }
   return sum;
 }
 
@@ -179,6 +208,8 @@ double squareOfChange(const Problem& p) {
 template<class Use> void eachNumber(Problem& p, Use&& use) {
   for (Contact& c : p.contacts)
     for (int k = 0; k < 3; k++) use(c.impulse[k], c.before[k], c.other[k]);
+  for (Rolling& r : p.rolling)
+    for (int k = 0; k < 3; k++) use(r.impulse[k], r.before[k], r.other[k]);
   for (std::size_t r = 0; r < p.rows.size(); r++)
     for (int a = 0; a < 3; a++) {
       use(p.rows[r].velocity[a], p.before[r].velocity[a], p.other[r].velocity[a]);
@@ -210,6 +241,7 @@ bool opposes(const Problem& p) {
   for (const Contact& c : p.contacts)
     for (int k = 0; k < 3; k++)
       sum += weightOf(c, k) * (c.impulse[k] - c.before[k]) * (c.impulse[k] - c.other[k]);
+  for (const Rolling& r : p.rolling) sum += r.stiffest * dot(r.impulse - r.before, r.impulse - r.other);
   return sum < 0;
 }
 
@@ -225,6 +257,7 @@ Progress conjugateGradients(Problem& p, double tolerance, int most) {
   Progress at;
   p.other.assign(p.rows.size(), {});
   for (Contact& c : p.contacts) std::fill_n(c.other, 3, 0.0);
+  for (Rolling& r : p.rolling) r.other = {};
   double last = 0;
   while (at.iterations < most) {
     keepState(p);
@@ -243,6 +276,7 @@ Progress momentum(Problem& p, double tolerance, int most) {
   Progress at;
   p.other = p.rows;
   for (Contact& c : p.contacts) std::copy_n(c.impulse, 3, c.other);
+  for (Rolling& r : p.rolling) r.other = r.impulse;
   double t = 1;
   while (at.iterations < most) {
     keepState(p);
@@ -279,7 +313,7 @@ void setImpulse(Contact& c, const Vec3d& impulse) {
 }
 
 Problem problemOf(const ContactIsland& island) {
-  Problem p{island.pieces, {}, std::vector<Row>(island.pieces.size()), {}, {}};
+  Problem p{island.pieces, {}, {}, std::vector<Row>(island.pieces.size()), {}, {}};
   p.contacts.resize(island.contacts.size());
   for (std::size_t i = 0; i < p.contacts.size(); i++) {
     const RigidContact& from = island.contacts[i];
@@ -292,6 +326,10 @@ Problem problemOf(const ContactIsland& island) {
     setAxes(c, from.normal);
     setResponse(p.pieces, c);
     if (c.response[0][0] > 0) setImpulse(c, from.impulse);
+    if (!(from.rolling > 0)) continue;
+    Rolling r = rollingOf(from, p.pieces[c.a], c.b == noPiece ? nullptr : &p.pieces[c.b]);
+    r.contact = static_cast<std::uint32_t>(i);
+    if (r.stiffest > 0) p.rolling.push_back(r);
   }
   return p;
 }
@@ -331,6 +369,7 @@ int correctOverlap(ContactIsland& island, const ContactSettings& settings, const
                            : std::max(0.0, gap) / settings.step;
   }
   if (!(deepest > settings.slop)) return 0;
+  p.rolling.clear();
   for (std::size_t i = 0; i < p.contacts.size(); i++) {
     Contact& c = p.contacts[i];
     c.friction = 0;
@@ -348,6 +387,19 @@ int correctOverlap(ContactIsland& island, const ContactSettings& settings, const
     island.changes[r].turn = settings.step * p.rows[r].spin;
   }
   return iterations;
+}
+
+/// Sets the results of rolling friction.
+void takeRolling(const Problem& p, ContactIsland& island, IslandSolve& s) {
+  for (RigidContact& c : island.contacts) c.angularImpulse = {};
+  s.meanSpin.resize(p.rolling.empty() ? 0 : p.contacts.size());
+  for (const Rolling& r : p.rolling) {
+    RigidContact& c = island.contacts[r.contact];
+    c.angularImpulse = r.impulse;
+    s.meanSpin[r.contact] = r.offset + 0.5 * changeOf(p, r);
+    island.changes[c.a].angularImpulse += r.impulse;
+    if (c.b != noPiece) island.changes[c.b].angularImpulse -= r.impulse;
+  }
 }
 
 }  // namespace
@@ -372,6 +424,7 @@ IslandSolve solveIsland(ContactIsland& island, const ContactSettings& settings) 
     island.changes[c.b].impulse -= j;
     island.changes[c.b].angularImpulse -= cross(c.armB, j);
   }
+  takeRolling(p, island, s);
   const std::vector<Row> rows = p.rows;
   s.correctionIterations = correctOverlap(island, settings, demands, p);
   for (std::size_t r = 0; r < rows.size(); r++) {

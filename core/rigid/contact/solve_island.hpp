@@ -12,6 +12,7 @@ struct IslandSolve {
   double residual = 0;           ///< m/s, largest velocity error of a contact in the last iteration
   double tolerance = 0;          ///< m/s
   std::vector<Vec3d> mean;       ///< m/s, relative velocity of each contact, mean of before and after
+  std::vector<Vec3d> meanSpin;   ///< rad/s, relative spin, as `mean`; empty without rolling friction
 };
 
 /// Sets the impulses of the contacts of an island, velocity and spin of its rows, and their changes.

@@ -55,6 +55,7 @@ void activatePieceFields(World& w) {
   activatePieces(w.pieces);
   turnOn(p, m.rigidify, {&p.restTime, &p.constraintForce});
   turnOn(p, !m.rigidify, {&p.faceNormal, &p.faceOffset, &p.faceRadius, &p.contactPartner, &p.contactImpulse});
+  turnOn(p, m.rollingFriction, {&p.rollingImpulse});
   turnOn(p, !m.rigidify && m.surface, {&p.exposed});
 }
 

@@ -152,6 +152,11 @@ void readSolid(TableReader& r, Material& m) {
   r.number("friction", m.friction, "", between(0, 10),
            "Coulomb friction between separate solids: the smaller of the two applies. At an obstacle, that "
            "of the obstacle applies");
+  r.number(
+      "rolling_friction", m.rollingFriction, "m", notNegative(),
+      "largest moment against rolling and spinning at a contact of a rigid piece (law = \"rigid\"), over "
+      "the normal force; about 0.01 to 0.1 of the radius of rough stones. Between two pieces the larger "
+      "one applies");
   r.number("restitution", m.restitution, "", between(0, 1),
            "restitution of contacts between separate solids and with obstacles: the smaller of the two "
            "applies, so above 0.5 set both");
@@ -248,6 +253,8 @@ void checkMaterial(TableReader& r, const Material& m) {
     for (const char* key :
          {"yield_strain", "creep_rate", "hardening", "max_plastic_strain", "break_stretch", "weld"})
       if (r.has(key)) r.fail(key, "has no effect with `law = \"rigid\"`: remove it, or choose another law");
+  if (r.has("rolling_friction") && !m.isRigid())
+    r.fail("rolling_friction", "applies to rigid solids only: set `law = \"rigid\"`, or remove it", {"law"});
   if (m.strength < never && !m.isRigid())
     r.fail("strength", "applies to rigid solids only (`law = \"rigid\"`); others break at `break_stretch`",
            {"law"});

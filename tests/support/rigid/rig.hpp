@@ -25,7 +25,7 @@ struct RigPiece {
   std::vector<Vec3d> points;  ///< m, body frame
   std::vector<SurfaceElement> elements;
   std::vector<std::uint64_t> partner;
-  std::vector<Vec3d> guess;
+  std::vector<Vec3d> guess, rollingGuess;
 
   Sym3d inverseInertia() const {
     Sym3d sum{};
@@ -57,6 +57,7 @@ inline RigPiece pieceOf(const SignedDistance& shape, double spacing, double dens
     }
   piece.partner.resize(piece.points.size());
   piece.guess.resize(piece.points.size());
+  piece.rollingGuess.resize(piece.points.size());
   return piece;
 }
 
@@ -126,12 +127,13 @@ struct RigidRig {
     std::vector<PieceChange> changes(pieces.size());
     last = solveContacts(motion, solved, settings, exchange, all, changes);
     iterations += last.iterations;
-    for (std::size_t i = 0; i < solved.size(); i++) contacts[i].contact.impulse = solved[i].impulse;
+    for (std::size_t i = 0; i < solved.size(); i++) contacts[i].contact = solved[i];
     keepImpulses(contacts, *table, *particles);
     for (std::size_t i = 0; i < origin.size(); i++) {
       const auto [k, at] = origin[i];
       pieces[k].partner[at] = particles->contactPartner[i];
       pieces[k].guess[at] = particles->contactImpulse[i];
+      pieces[k].rollingGuess[at] = particles->rollingImpulse[i];
     }
     for (std::size_t k = 0; k < pieces.size(); k++) {
       move(pieces[k], changes[k]);
@@ -159,7 +161,7 @@ struct RigidRig {
     Continuum& c = *particles;
     for (AnyColumn* column : std::initializer_list<AnyColumn*>{
              &c.id, &c.position, &c.material, &c.piece, &c.pieceRow, &c.faceNormal, &c.faceOffset,
-             &c.faceRadius, &c.contactPartner, &c.contactImpulse})
+             &c.faceRadius, &c.contactPartner, &c.contactImpulse, &c.rollingImpulse})
       c.activate(*column);
     activatePieces(*table);
     struct Row {
@@ -195,6 +197,7 @@ struct RigidRig {
       c.faceRadius[i] = p.elements[r.point].radius;
       c.contactPartner[i] = p.partner[r.point];
       c.contactImpulse[i] = p.guess[r.point];
+      c.rollingImpulse[i] = p.rollingGuess[r.point];
       if (cells.key.empty() || cells.key.back() != r.cell) {
         cells.key.push_back(r.cell);
         cells.first.push_back(static_cast<std::uint32_t>(i));

@@ -41,6 +41,8 @@ Problem randomNet(int pieces, int contacts) {
     c.friction = 0.4;
     c.restitution = k % 2 ? 0.3 : 0;
     if (c.b == noPiece) c.otherVelocity = 0.1 * vector();
+    c.rolling = k % 4 ? 0 : 0.05;
+    if (c.b == noPiece) c.otherSpin = 0.1 * vector();
     c.keyA = static_cast<std::uint64_t>(k);
     p.contacts.push_back(c);
   }
