@@ -6,7 +6,7 @@
 #include <unordered_map>
 
 #include "core/geometry/marching/cube_triangles.hpp"
-#include "core/geometry/meshes/mesh_edges.hpp"
+#include "core/math/disjoint_sets.hpp"
 #include "core/math/hash_random.hpp"
 
 namespace thaw {

@@ -5,6 +5,7 @@
 
 #include "core/geometry/basic/triangle_mesh.hpp"
 #include "core/geometry/meshes/mesh_edges.hpp"
+#include "core/math/disjoint_sets.hpp"
 
 namespace thaw {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/geometry/meshes/mesh_edges.hpp"
+#include "core/math/disjoint_sets.hpp"
 
 namespace thaw {
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edges of a triangle mesh with their triangles, and disjoint sets to group joined elements.
+// Edges of a triangle mesh with their triangles.
 #pragma once
 #include <cstdint>
-#include <numeric>
-#include <vector>
 
 #include "core/geometry/basic/triangle_mesh.hpp"
 #include "core/particles/aligned_memory.hpp"
@@ -29,20 +27,5 @@ template<class F> void forEachEdge(const AlignedVector<EdgeSide>& sides, F&& f) 
     first = last;
   }
 }
-
-/// Disjoint sets of 0..n-1; the smallest member represents its set.
-struct DisjointSets {
-  explicit DisjointSets(std::size_t n) : parent(n) { std::iota(parent.begin(), parent.end(), 0u); }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  }
-  void join(std::uint32_t i, std::uint32_t j) {
-    i = find(i), j = find(j);
-    if (i < j) parent[j] = i;
-    else parent[i] = j;
-  }
-  std::vector<std::uint32_t> parent;
-};
 
 }  // namespace thaw

@@ -13,6 +13,7 @@
 #include "core/geometry/meshes/mesh_holes.hpp"
 #include "core/geometry/meshes/weld_vertices.hpp"
 #include "core/geometry/trees/triangle_bvh.hpp"
+#include "core/math/disjoint_sets.hpp"
 
 namespace thaw {
 namespace {

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <unordered_set>
 
-#include "core/geometry/meshes/mesh_edges.hpp"
+#include "core/math/disjoint_sets.hpp"
 #include "core/scene/shape.hpp"
 
 namespace thaw {

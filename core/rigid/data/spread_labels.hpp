@@ -5,8 +5,8 @@
 #include <functional>
 #include <span>
 
-#include "core/geometry/meshes/mesh_edges.hpp"
 #include "core/halo/halo.hpp"
+#include "core/math/disjoint_sets.hpp"
 
 namespace thaw {
 

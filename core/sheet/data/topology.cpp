@@ -7,6 +7,7 @@
 
 #include "core/geometry/basic/shape_error.hpp"
 #include "core/geometry/meshes/mesh_edges.hpp"
+#include "core/math/disjoint_sets.hpp"
 
 namespace thaw {
 namespace {
