@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Exchanges as handles: `auto ghosts = refresh(...); …; ghosts.wait();`. The sums of inner particles run
-// between both.
+// between the two.
 #pragma once
 #include <utility>
 

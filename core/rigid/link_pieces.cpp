@@ -134,7 +134,7 @@ std::size_t numberShared(std::unordered_map<std::uint64_t, Entry>& home, Reducer
   return static_cast<std::size_t>(total);
 }
 
-/// Answers each holder: the number of the piece if others hold it, and its row where it was wanted.
+/// Returns the answers to each holder: the number of the piece if others hold it, and its row on request.
 WordStreams answers(const std::vector<WordStream>& in, const std::unordered_map<std::uint64_t, Entry>& home,
                     std::size_t width, int ranks) {
   WordStreams out(ranks);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which materials a scene uses, and what they need.
+// Materials that a scene uses, and their needs.
 #pragma once
 #include <algorithm>
 

@@ -41,7 +41,7 @@ struct Modules {
   bool buoyancy = false;      ///< buoyancy of liquids with expansion (core/scene/buoyancy.hpp)
   bool phaseDensity = false;  ///< the rest density of a particle changes with its phase or temperature
   bool tensionTable = false;  ///< surface tension depends on the temperature
-  bool contactAngle = false;  ///< liquids meet walls at angles other than 90 degrees
+  bool contactAngle = false;  ///< some contact angle is not 90 degrees
   bool evaporation = false;   ///< liquids lose mass at free surfaces
   bool mushDrag = false;      ///< drag between solidus and liquidus
   bool contactConductance = false;  ///< heat passes between bodies with a given conductance

@@ -7,8 +7,8 @@
 
 namespace thaw {
 
-/// Returns the fraction of the step [begin, end] (s) in which a source is on; without a step whether it is
-/// on at `begin`.
+/// Returns the fraction of the step [begin, end] (s) in which a source is on. For an empty step it is 1 if
+/// the source is on at `begin`, else 0.
 inline double shareOn(double start, double stop, double begin, double end) {
   if (!(end > begin)) return start <= begin && begin < stop;
   return std::max(0.0, std::min(stop, end) - std::max(start, begin)) / (end - begin);

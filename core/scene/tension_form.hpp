@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which form of surface tension acts in a scene, and the contact angles of its liquids at walls.
+// Form of surface tension of a scene, and contact angles of its liquids at walls.
 #pragma once
 #include <cmath>
 #include <string>
@@ -21,7 +21,7 @@ inline double wettingOf(double angle) {
   return std::abs(wetting) < 1e-12 ? 0 : wetting;
 }
 
-/// Returns where a liquid meets walls at an angle other than 90 degrees, one text per place.
+/// Returns the places where a contact angle of a liquid is not 90 degrees, one text each.
 std::vector<std::string> contactAnglesOf(const Scene& scene, const Material& liquid);
 
 }  // namespace thaw

@@ -67,7 +67,7 @@ struct SleepWork {
 void beginSleep(const SleepView& view, double dt);
 
 /// Wakes all particles and resets their rest time. Changed coefficients change forces, which makes results of
-/// sleepers invalid.
+/// sleeping particles invalid.
 void wakeEverything(Continuum& particles);
 
 /// Marks skipped inner cells in SleepView::inner, before ghosts arrive.

@@ -18,9 +18,9 @@ bool frameDue(const Clock& clock);
 double clip(const Clock& clock, double dt);
 
 /// Returns the next step (s), at most Clock::dt. It equals the last step where possible, so that limits that
-/// vary by a percent or two, as with oscillating stretch, change no step. This costs two to four steps in a
-/// hundred where limits do vary (scenes/melt.toml). A changed step is aligned with frame times. The result
-/// depends on the clock alone, which is in every checkpoint.
+/// vary by a percent or two, as with oscillating stretch, change no step. This takes 2 to 4 % more steps
+/// where limits do vary (scenes/melt.toml). A changed step is aligned with frame times. The result depends on
+/// the clock alone, which is in every checkpoint.
 double nextStep(const Clock& clock);
 
 /// Returns the longest step (s) without any limit: from frame to frame, or to the end of a scene without

@@ -8,7 +8,7 @@
 
 namespace thaw {
 
-/// Returns background and lights of a scene's pictures.
+/// Returns the background and the lights of a scene's pictures.
 Lighting lightingOf(const Output& output);
 
 /// Returns title, field and range of colours, camera (unless fitted), size, spray, spacing and walls of the

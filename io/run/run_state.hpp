@@ -107,7 +107,7 @@ void warnOfInterpenetration(Run& run);
 /// Gathers and writes summary.json.
 void summarise(Run& run, const std::string& status, const std::string& message);
 
-/// Prints the profile and writes OUT/trace.json; once, at any end of the run.
+/// Prints the profile and writes OUT/trace.json. Call it once, however the run ends.
 void reportProfile(Run& run);
 
 /// Writes a checkpoint and a summary. Killed runs thus leave a summary, too.

@@ -98,7 +98,7 @@ class Simulation {
   void writeFrame();
   void writeCheckpoint();
   /// Goes back to the newest checkpoint in the folder, as a restart does, with all functions that were added.
-  /// Driven obstacles have to be made anew.
+  /// Driven obstacles must be constructed again.
   /// If it throws (SceneErrors without a checkpoint, IoError), the simulation is unchanged. Requires: a
   /// folder.
   void restore();
@@ -107,9 +107,10 @@ class Simulation {
   /// a retry repeats.
   void onStep(std::function<void()> call);
   void onFrame(std::function<void()> call);
-  /// Adds a function that is called after a phase of every step, on all ranks. The evaluation of the start
-  /// and that after edits call it too, for the phases that they run. It reads all fields that the phase has
-  /// set, and may write fields of extensions, from a row's own fields. Rows move in HookPhase::Redistribute.
+  /// Adds a function that is called after a phase of every step, on all ranks. The evaluations at
+  /// the start and after edits call it too, for the phases that they run. It may read all fields that the
+  /// phase has set, and write fields of extensions from a row's own fields. Rows move in
+  /// HookPhase::Redistribute.
   void onPhase(HookPhase phase, std::function<void()> call);
   /// Adds a function that finish() calls before the last checkpoint.
   void onEnd(std::function<void()> call);

@@ -43,7 +43,7 @@ double leastFlowViscosity(const FlowLawSettings& settings, double leastRate, dou
 /// Largest shear rate (1/s) that a scene resolves: the expected speed over the spacing.
 double resolvedRate(const Scene& scene);
 
-/// The same two for a material of a scene, by its least rate and the largest rate that the scene resolves.
+/// The same two for a material of a scene, from its least rate and the largest rate that the scene resolves.
 double largestFlowViscosity(const Scene& scene, const Material& material);
 double leastFlowViscosity(const Scene& scene, const Material& material);
 

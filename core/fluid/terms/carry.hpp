@@ -119,7 +119,7 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     return dotOf(s.gradient, s.gradient) > limit * limit;
   }
 
-  /// Marks the free surface by the moment of the neighbourhood, without moments by its asymmetry.
+  /// Marks the free surface by the moment of the neighbourhood, or by its asymmetry if there are no moments.
   THAW_INLINE void findFreeSurface() {
     const L one(1.0), zero(0.0);
     const L inside = Corrected ? select(eigenvaluesAbove(s.moment, L(surfaceMoment)), one, zero)

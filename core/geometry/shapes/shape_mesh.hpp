@@ -8,9 +8,9 @@
 namespace thaw {
 
 /// Returns the surfaces of all simple parts of a shape, placed in the scene, outward from the body;
-/// subtracted parts face the other way. Surface inside another part, or outside of a cut, is included:
-/// combined shapes show only some of it. Chords deviate from curved faces by at most `sag` (m); corners lie
-/// on them. Planes are squares larger than the body. Colours and normals of meshes are dropped. Throws
+/// subtracted parts face the other way. Includes surface inside another part or outside of a cut, although
+/// the combined shape does not have it. Chords deviate from curved faces by at most `sag` (m); corners lie on
+/// them. Planes are squares larger than the body. Colours and normals of meshes are dropped. Throws
 /// ShapeError; std::invalid_argument for an infinite body.
 TriangleMesh shapeMesh(const Shape& shape, double sag, const MeshLoader& load);
 

@@ -63,7 +63,7 @@ inline Sight sightOf(const LightView& v, const Vec3d& x) {
   return {seen, v.parallel ? seen.z : length(d)};
 }
 
-/// Appends the views of source `index` that can meet bodies within these bounds. Cells are half a
+/// Appends the views of source `index` that can hit bodies within these bounds. Cells are half a
 /// spacing (m) wide at the bodies; in views with more than two million of them, wider.
 void addViews(const LightSource& source, std::size_t index, const Bounds& bodies, double spacing,
               std::vector<LightView>& views);

@@ -24,7 +24,7 @@ struct CellLights {
   std::vector<CellLight> cell;
 };
 
-/// Depths of the bodies as the rays meet them, the same on all ranks. Negated values, for one reduction.
+/// Depths at which rays hit the bodies, the same on all ranks. Values are negated, for one reduction.
 struct LightMap {
   std::vector<double> values;         ///< m, m^2: negated depth of the nearest particle that a ray passes,
                                       ///< then negated square of the distance to any of them; by cell

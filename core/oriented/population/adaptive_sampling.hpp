@@ -18,7 +18,7 @@ bool adaptSamplingDue(const Scene& scene, const Clock& clock, double dt);
 /// before the start. Requires: ghosts and neighbour lists. Collective.
 bool adaptSampling(const OrientedView& view, Halos halos, double dt);
 
-/// Removes row i: recorded in the ledger, and dropped at the next redistribution.
+/// Records the removal of row i in the ledger, and marks the row for the next redistribution.
 void removeRow(const OrientedView& view, std::size_t i, double dt);
 
 }  // namespace thaw

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rigid pieces break where their strength is exceeded in an impact [MMDJ01]. The stress follows from a static
-// elastic solve (elastic_solve.hpp). A piece is cut along a plane through its most stressed bond, normal to
-// the principal stress there. The parts keep the motion of the piece, and contacts are solved again.
+// elastic solve (elastic_solve.hpp). A piece is cut at its most overloaded particle, along a plane through
+// the most stretched bond there, normal to the principal stress. The parts keep the motion of the piece, and
+// contacts are solved again.
 #pragma once
 #include "core/halo/halos.hpp"
 #include "core/rigid/rigid_view.hpp"

@@ -44,8 +44,8 @@ std::vector<FoundContact> findContacts(const ContactSearch& search, std::span<co
                                        Reducer& all);
 
 /// Sets first guesses: the stored impulse of a particle goes to the contact with its partner along whose
-/// normal it acts most. If each of several contacts had it, the impulses of wedged pieces would grow from
-/// step to step.
+/// normal it acts most. If each of several contacts received it, the impulses of wedged pieces would grow
+/// from step to step.
 void guessImpulses(const Continuum& particles, std::span<FoundContact> contacts);
 
 /// Stores the solved impulses in the particles, as first guesses of the next step. Particles of sleeping

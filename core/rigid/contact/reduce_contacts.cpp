@@ -43,7 +43,7 @@ Patch patchOf(const FoundContact& c, double spacing) {
   return {s.piece, s.partner, 2 * directionBin(s.normal) + (open ? 1 : 0)};
 }
 
-/// How far a contact is at the margin by one of the criteria. Ties are decided by the keys.
+/// Score of a contact by one of the criteria: the outermost has the largest. The keys break ties.
 struct Rank {
   double score;
   std::uint64_t keyA, keyB;

@@ -25,7 +25,7 @@ struct ContactSettings {
 struct ContactResult {
   int iterations = 0;            ///< iterations of the velocity solve, most of all islands
   int correctionIterations = 0;  ///< iterations of the overlap solve, most of all islands
-  double residual = 0;           ///< m/s, largest velocity error of a contact, of the island that is furthest
+  double residual = 0;           ///< m/s, largest velocity error of a contact, in the island that is furthest
                                  ///< from its tolerance
   double tolerance = 0;          ///< m/s, the larger one of both tolerances in that island
   double dissipated = 0;         ///< J, kinetic energy before minus after, less the work of obstacles; over
@@ -37,7 +37,7 @@ struct ContactResult {
 };
 
 /// Finds impulses with Signorini's condition, Coulomb's friction cone and Newton's restitution at velocity
-/// level. Each island of pieces that touch is solved by itself, on one rank (solve_island.hpp). A contact
+/// level. Each island of pieces that touch is solved separately, on one rank (solve_island.hpp). A contact
 /// with gap > 0 may close within the step, but no further. Overlap is removed by displacements without
 /// momentum. Sets impulses of contacts, velocity and spin of movable rows, and their changes (one for each
 /// row). Requires: step > 0; normals are unit vectors; each contact is given on exactly one rank; keys or

@@ -97,8 +97,8 @@ struct FaceContact {
 
   std::vector<Near> within;  ///< triangles within reach of the current particle
 
-  /// Lists the triangles within reach of particle j. Returns the deepest one, or null. Among
-  /// equally deep ones, the least number decides.
+  /// Lists the triangles within reach of particle j. Returns the deepest one, or null; among
+  /// equally deep ones, that with the smallest number.
   const Near* findWithin(std::size_t j) {
     within.clear();
     for (const Face& f : faces)

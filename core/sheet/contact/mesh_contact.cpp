@@ -11,9 +11,9 @@
 namespace thaw {
 namespace {
 
-// Where layers lie on each other a vertex is within reach of several triangles, and an edge of more edges;
-// the number grows with the reach. Together they should be about as stiff as one contact. A reach shorter
-// than the edges meets few, and each must bear the load alone.
+// Where layers lie on each other, a vertex is within reach of several triangles, and an edge of more edges.
+// Their number grows with the reach. Together they should be about as stiff as one contact. Within a reach
+// shorter than the edges there are few, and each must bear the load alone.
 constexpr double moreTriangles = 5, moreEdges = 16;  // for a reach of one mean edge length
 // Pairs come into reach within a step: the bound of stiffness is scaled by this, which halves the energy
 // error of contact.

@@ -13,7 +13,7 @@ struct CellCosts {
   std::vector<double> cost;  ///< parallel to cells.key
 };
 
-/// Cost of a row in any unit, > 0: of liquid and solid continuum particles, and of each body type.
+/// Cost of a row in an arbitrary unit, > 0: liquid and solid continuum particles, and each body type.
 struct RowCosts {
   double liquid = 1, solid = 1;
   std::array<double, bodyTypeCount> bodyType;

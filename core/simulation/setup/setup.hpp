@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a scene to a world that is ready for its first step.
+// Set-up of a world from a scene, ready for its first step.
 #pragma once
 #include <functional>
 #include <memory>

@@ -54,7 +54,7 @@ bool viscosityCorrectionDue(const World& world);
 /// Renews Continuum::viscosityCorrection for the next step. Requires: the records of this step.
 void correctViscosity(World& world, StepTools& tools);
 
-/// Computes viscous forces of the implicit solver (fluid/implicit_viscosity/), after all others.
+/// Computes viscous forces of the implicit solver (core/flow/implicit_viscosity/), after all others.
 void solveViscosity(World& world, Halos halos, StepTools& tools, const WallContext& walls);
 
 /// Runs the pressure solver (core/flow/incompressible/). dt (s): the step that ends now. Collective.

@@ -15,9 +15,9 @@ namespace thaw {
 bool kickAndDrift(World& world, double dt, std::span<const RowSpan> rows);
 
 /// Computes accelerations from forces and gravity and applies the second half kick. Clamped particles and
-/// rows outside of the ranges stay. Accumulates dissipation. Returns false if a position, velocity or force
-/// is not finite, or if a particle would cross its support radius in such a step. *bad is then the first such
-/// row. *largest receives the result of largestRates.
+/// rows outside of the ranges do not change. Accumulates dissipation. Returns false if a position, velocity
+/// or force is not finite, or if a particle would cross its support radius in such a step. *bad is then the
+/// first such row. *largest receives the result of largestRates.
 bool finishKick(World& world, double dt, std::span<const RowSpan> rows, std::size_t* bad,
                 LargestRates* largest);
 

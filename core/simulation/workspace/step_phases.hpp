@@ -12,21 +12,21 @@ struct StepContext;  // core/simulation/step_context.hpp
 /// Phases in their order. The step's own lines run between them (step.cpp, evaluate.cpp, reduce_step.cpp).
 enum class ModulePhase {
   // Prediction
-  BeforeMotion,    ///< everything is at the end of the last step, obstacles too
+  BeforeMotion,    ///< everything is at the end of the last step, including obstacles
   FirstKick,       ///< before the first half kick, v += a dt/2
   Drift,           ///< after the drift, x += v dt
-  ObstaclesMoved,  ///< obstacles are at the end of the step, too
+  ObstaclesMoved,  ///< obstacles are at the end of the step
   // Redistribution
   Redistributed,  ///< particles are on the ranks of their cells, sorted
   WallContacts,   ///< contacts of particles with walls are known
   // Density
-  GhostsSent,     ///< ghosts are on their way
+  GhostsSent,     ///< ghosts are being sent
   BeforeDensity,  ///< rates are cleared; only with a search of neighbours
   InnerRows,      ///< before the sums of rows without ghosts among their neighbours; only with a search
   BoundaryRows,   ///< before the sums of the other rows, with ghosts present; only with a search
   Density,        ///< sums over neighbours are known: densities, normals, viscosities
   // Forces
-  Deformation,     ///< densities are on their way to ghosts: strain and stress of solids
+  Deformation,     ///< densities are being sent to ghosts: strain and stress of solids
   ContinuumForce,  ///< pair forces are known: further forces of the continuum
   Contact,         ///< contacts of solids
   Coupling,        ///< wall forces are known: forces between body types

@@ -137,9 +137,9 @@ void addSolidForces(const ElasticWork& work, const Solids& solids, Continuum& pa
 
 /// Updates A^-1 and the other bond data in `work`, for slots with `changed` set, or for all slots if `all`
 /// (for bonds made by hand). Call it after every bond update and the exchange of remoteColumnsAfterRebuild.
-/// That sets `changed` also for renumbered slots, and where a bond's other end became remote or owned. The
-/// bits do not depend on which slots are recomputed. Clears `changed`. Returns the number of owned slots with
-/// rank < 3.
+/// The update also sets `changed` for renumbered slots, and where a bond's other end became remote or owned.
+/// The bits do not depend on which slots are recomputed. Clears `changed`. Returns the number of owned slots
+/// with rank < 3.
 std::int64_t refreshReference(ElasticWork& work, Solids& solids, Bonds& bonds, bool all);
 
 /// Phase 1: F, plastic flow, stress and flux of the groups of this part. Requires: Solids::position of owned

@@ -111,8 +111,8 @@ THAW_INLINE unsigned respondBy(const BoundLaw& law, const GroupDeformation<Real>
   return 0;
 }
 
-/// The same for a group of several laws. A function of its own: few groups have several, and the loop over
-/// groups stays short.
+/// The same for a group of several laws. It is a separate function: few groups have several, and the loop
+/// over groups stays short.
 template<class Real>
 __attribute__((noinline, flatten)) unsigned respondMixed(const GroupDeformation<Real>& g,
                                                          Mat3<Lanes<Real>>& stress, double energy[8]) {
@@ -138,7 +138,7 @@ __attribute__((noinline, flatten)) unsigned respondMixed(const GroupDeformation<
 template<class Real>
 THAW_INLINE unsigned respond(const GroupDeformation<Real>& g, Mat3<Lanes<Real>>& stress, double energy[8]) {
   if (g.c.laws == 1) return respondBy(*g.c.law[0], g, stress, energy);
-  // Copies: what a called function sees cannot be in registers.
+  // Copies: data that a called function can access cannot be in registers.
   const Mat3<Lanes<Real>> gradient = g.gradient, f = g.f;
   Mat3<Lanes<Real>> mixed{};
   const unsigned softened = respondMixed<Real>({g.c, gradient, f, g.wantEnergy}, mixed, energy);

@@ -37,7 +37,8 @@ inline ElasticConstants elasticConstants(const Material& m, double liquidFractio
   // sigma_eq = sqrt(3/2) 2G yield; the same fraction of G at any liquid fraction
   if (m.hardening > 0) c.hardening = m.hardening * (1 + m.poisson.solid) / (std::sqrt(1.5) * m.young.solid);
   c.maxPlastic = m.maxPlasticStrain;
-  // Where a material yields at once, its flow would be carried by control above the yield stress sqrt(6) G y.
+  // Where a material yields at once, hourglass control above the yield stress sqrt(6) G y would bear its
+  // flow.
   if (c.yield < never && c.creep == never && c.maxPlastic == never && c.hourglass > 0)
     c.hourglassYield = std::sqrt(6.0) * c.mu * c.yield / c.hourglass;
   c.dragDensity = m.damping * m.density;

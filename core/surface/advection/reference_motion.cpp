@@ -26,7 +26,7 @@ struct AffineMap {
   Mat3d gradient{};
 };
 
-/// Where partners are searched.
+/// Input of the search for partners.
 struct PartnerSearch {
   const Scene& scene;
   const Surface& surface;

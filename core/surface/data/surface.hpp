@@ -39,8 +39,8 @@ struct SurfaceComponent {
 };
 
 /// Changes of components. Split: `other` separated from `label`. Merge: two became `label`, the smaller one.
-/// Renamed: the smallest particle of `other` left (the domain, or with a separated part), and the component
-/// is now `label`.
+/// Renamed: the particle with the smallest id of `other` left (the domain, or with a separated part), and the
+/// component is now `label`.
 enum class SurfaceEventKind : std::uint8_t { Split, Merge, Renamed };
 inline const char* eventName(SurfaceEventKind kind) {
   return kind == SurfaceEventKind::Split ? "split" : kind == SurfaceEventKind::Merge ? "merge" : "renamed";

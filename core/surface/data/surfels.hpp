@@ -153,7 +153,7 @@ struct SurfaceParticles : Table {
   // clang-format on
 };
 
-/// Deactivates a column: it frees its memory and leaves checkpoints.
+/// Deactivates a column: its memory is freed, and checkpoints no longer contain it.
 inline void deactivate(AnyColumn& c) {
   c.active = false;
   c.bytes.clear();

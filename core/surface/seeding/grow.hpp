@@ -23,9 +23,9 @@ void growSurfels(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tool
 /// Collective.
 void growBodies(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tools);
 
-/// Renews surfels before the iterations of an update. Components without surfels get some. Components of at
-/// most smallDrop particles get a sphere of the particles' volume around their centroid. Surfels deep inside
-/// their own component (old caps of a stream, sheets in contact) or far off it are deleted. Requires:
+/// Renews surfels before the iterations of an update. Components without surfels get new ones. Components of
+/// at most smallDrop particles get a sphere of the particles' volume around their centroid. Surfels deep
+/// inside their own component (old caps of a stream, sheets in contact) or far off it are deleted. Requires:
 /// Surface::components of the last update. Collective.
 void renewSurfels(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tools);
 

@@ -52,7 +52,7 @@ struct CheckReport {
   int cells[3] = {0, 0, 0};
   std::vector<std::string> warnings;
   std::vector<CheckedBody> bodies;
-  /// Name and rows.
+  /// Names, and numbers of particles or vertices.
   std::vector<std::pair<std::string, std::int64_t>> oriented, sheets;
   std::string relaxation;  ///< note on a relaxation that the check omits, or ""
   std::vector<CheckedEmitter> emitters;

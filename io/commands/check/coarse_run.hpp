@@ -8,9 +8,9 @@
 
 namespace thaw {
 
-/// How a run goes on after its first steps.
+/// Growth of the number and the cost of steps after the first ones.
 struct RunGrowth {
-  double spacing = 0;  ///< m, of the run that shows it
+  double spacing = 0;  ///< m, of the run that was measured
   double steps = 1;    ///< 1, number of steps over that with the step of the start
   double cost = 1;     ///< 1, mean time of a step over that of the first steps
 };

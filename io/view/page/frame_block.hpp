@@ -28,7 +28,7 @@ struct FrameBlock {
 /// count. Throws IoError.
 std::string meshBlock(const BlockRequest& request, const PeriodicSides& sides);
 
-/// poses: of the obstacles at the time of the frame, for the header. Throws IoError.
+/// poses: those of the obstacles at the time of the frame, for the header. Throws IoError.
 FrameBlock frameBlock(const BlockRequest& request, const nlohmann::ordered_json& poses);
 
 }  // namespace thaw
