@@ -121,7 +121,7 @@ std::vector<std::string> testedSuggestions(const Communicator& comm, const Check
   lines.insert(lines.end(), failed.begin(), failed.end());
   lines.insert(lines.end(), untried.begin(), untried.end());
   if (!untried.empty())
-    lines.push_back(trials.steps() > 0 ? "not tried: the time for trials is over"
+    lines.push_back(trials.steps() > 0 ? "not tried: the time limit of the trials is reached"
                                        : "not tried: the scene is too large for a trial");
   return lines;
 }

@@ -68,7 +68,7 @@ bool compareFrames(const CompareArguments& how) {
     equal = equal && same;
   }
   fmt::print("frames: {} in both, {}{}\n", both, equal ? "equal" : "different",
-             alone > 0 ? fmt::format("; {} in one alone", alone) : "");
+             alone > 0 ? fmt::format("; {} in only one", alone) : "");
   return equal && alone == 0;
 }
 

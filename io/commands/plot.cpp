@@ -31,9 +31,10 @@ std::string findPython() {
       return python;
     names += (names.empty() ? "" : " and ") + python;
   }
-  throw IoError("thaw plot", fmt::format("needs python3 with matplotlib and numpy (Debian: apt-get install "
-                                         "python3-matplotlib); tried {}; set THAW_PYTHON to use another one",
-                                         names));
+  throw IoError("thaw plot",
+                fmt::format("needs python3 with matplotlib and numpy (Debian: apt-get install "
+                            "python3-matplotlib); tried {}; set THAW_PYTHON to use another interpreter",
+                            names));
 }
 
 void draw(const PlotOptions& o) {

@@ -60,7 +60,8 @@ fs::path picturesFolder(const fs::path& input) {
 
 void setCamera(const RenderOptions& options, FrameJob& job) {
   if (options.fit) job.camera.reset();
-  if (options.from.empty() != options.at.empty()) throw std::invalid_argument("--from and --at go together");
+  if (options.from.empty() != options.at.empty())
+    throw std::invalid_argument("--from and --at must be given together");
   if (!options.from.empty()) {
     Camera camera = job.camera.value_or(Camera{});
     camera.fitted = false;
@@ -171,7 +172,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
   command.add_option("--at", o.at, "point in m that the camera looks at: x y z")->expected(3);
   command.add_option("--fov", o.fieldOfView, "vertical field of view in degrees")
       ->check(CLI::Range(1.0, 170.0));
-  command.add_flag("--fit", o.fit, "fit the camera to the particles, not to the scene's choice");
+  command.add_flag("--fit", o.fit, "fit the camera to the particles, instead of the scene's camera");
   command.add_flag("!--no-obstacles", o.obstacles, "do not draw obstacles and floors");
   command.add_option("--width", o.width, "pixels (default: the scene's)")->check(CLI::Range(16, 16384));
   command.add_option("--height", o.height, "pixels")->check(CLI::Range(16, 16384));

@@ -116,7 +116,7 @@ void addRunOptions(CLI::App& c, RunOptions& o) {
       ->needs(profile)
       ->capture_default_str();
   auto* restart = c.add_flag("--restart", o.restart, "continue from the last checkpoint in --out");
-  c.add_flag("--resume", o.resume, "continue if there is a checkpoint in --out, else begin")
+  c.add_flag("--resume", o.resume, "continue if there is a checkpoint in --out, else start")
       ->excludes(restart);
   addForce(c, o);
 }

@@ -33,7 +33,8 @@ std::string seen(const World& w, const StepTools& t, const StepOutcome& o, const
           b.relativeDensity);
     case Failure::Inverted:
       return fmt::format(
-          "the share of inverted solid particles exceeds `numerics.watch_inverted` ({:.3g}), with det F down "
+          "the fraction of inverted solid particles exceeds `numerics.watch_inverted` ({:.3g}), with det F "
+          "down "
           "to {:.3g}",
           b.inverted, s.value);
     case Failure::Energy:
@@ -65,8 +66,8 @@ std::string failedCheck(const World& w, const StepTools& t, const StepOutcome& o
           limitNames[static_cast<std::size_t>(o.limitedBy)], w.clock.dt,
           w.watch.halvings > 0 ? fmt::format(", halved {} times", w.watch.halvings) : "", b.step);
     case Failure::Inverted:
-      return fmt::format("the share of inverted solid particles exceeds `numerics.watch_inverted` ({:.3g})",
-                         b.inverted);
+      return fmt::format(
+          "the fraction of inverted solid particles exceeds `numerics.watch_inverted` ({:.3g})", b.inverted);
     case Failure::Energy:
       return fmt::format(
           "unexplained gain of mechanical energy since step {}, more than {:.3g} times the largest term of "

@@ -120,7 +120,7 @@ Opened openRun(Run& r, Scene scene) {
   if (r.stoppedInRelaxation) {
     const std::string why = fmt::format(
         "stopped during relaxation before the start, after {} iterations: nothing is written, and the next "
-        "run starts anew",
+        "run starts from the beginning",
         r.tools.oriented.relaxed);
     summariseStoppedRelaxation(r, why);
     r.say(why);

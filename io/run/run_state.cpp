@@ -79,15 +79,15 @@ void reportRelaxation(Run& r) {
       "oriented: {} iterations of relaxation; the largest force is {:.2e} of stiffness times spacing",
       o.relaxed, o.unrest);
   if (o.atRest) return r.say(line);
-  std::string why = ": the iterations are used up before rest (below 1e-9, no births)";
+  std::string why = ": it reached the limit of iterations before rest (below 1e-9, no births)";
   if (o.relaxStopped) why = ": it was stopped before rest";
   if (o.relaxStalled)
     why = fmt::format(
         ": it ended before rest (below 1e-9, no births), since for {} iterations neither the force (lowest "
         "{:.2e}) nor the number of particles ({}) made progress{}",
         o.relaxed - o.relaxProgress.gained, o.relaxProgress.least, o.relaxing,
-        interpolates(r.world.scene) ? "; expected points on one smooth surface, with normals that agree, no "
-                                      "farther apart than some spacings"
+        interpolates(r.world.scene) ? "; expected points on one smooth surface, with normals that agree, at "
+                                      "most a few spacings apart"
                                     : "");
   r.warn(line + why);
 }
@@ -191,7 +191,7 @@ std::string sleepText(Run& r) {
   std::ranges::copy(countAwake(r.world.particles, r.world.scene), counts.begin() + 2);
   r.all.sum(counts);
   constexpr const char* words[awakeReasons] = {"have awake neighbours", "are not solid", "move", "accelerate",
-                                               "are warmed"};
+                                               "change temperature"};
   std::string why;
   std::int64_t held = counts[1] - counts[0];
   for (const std::size_t k : {1u, 2u, 3u, 4u, 0u}) {
@@ -464,7 +464,8 @@ void takeFolder(Run& r) {
 void beginAnew(Run& r, const MeshLoader& load) {
   World& w = r.world;
   if (r.options.resume)
-    r.say(fmt::format("{}: there is no checkpoint to resume from: the run begins anew", r.options.out));
+    r.say(fmt::format("{}: there is no checkpoint to resume from: the run starts from the beginning",
+                      r.options.out));
   watchRelaxation(r);
   const SamplingReport sampled = r.start(load);
   fingerprintMeshes(w.scene, load);  // Unreadable files were reported before, with their body.

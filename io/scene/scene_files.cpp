@@ -26,7 +26,7 @@ std::string problemOf(const std::string& text) {
     if (end - begin > longestLine)
       return "line " + std::to_string(line) + " is longer than " + std::to_string(longestLine) +
              " characters (it has " + std::to_string(end - begin) +
-             "); split it: a list may go over several lines";
+             "); split it: a list may span several lines";
     begin = end + 1;
   }
   return "";

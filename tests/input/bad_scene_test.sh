@@ -115,7 +115,7 @@ rejects "huge expansion" 'expansion: must be between -0\.1 and 0\.1 1/K, got 2' 
   --set material.jelly.expansion=2
 rejects "expansion without its unit" 'expansion: expected an expansion such as "2e-4 1/K", got "2e-4 K"' \
   2 check "$liquid" --set 'material.jelly.expansion=2e-4 K'
-rejects "expansion twice" 'expansion: the table of densities states the expansion: remove one' 2 check \
+rejects "expansion twice" 'expansion: the table of densities gives the expansion: remove one' 2 check \
   "$liquid" --set 'material.jelly.density=[[280, 1000], [300, 990]]'
 rejects "table that descends" 'density: .*ascend' 2 check "$good" --set material.jelly.young=0 \
   --set 'material.jelly.density=[[300, 990], [280, 1000]]'

@@ -54,7 +54,7 @@ rejects "periodic and too short" \
   'periodic along x but shorter than three support radii: it is .* expected at least 1.2 m, 6 spacings: ' \
   2 check "$good" --set 'domain.sides.x=periodic' --set 'spacing=0.2'
 rejects "more particles than ids" \
-  "^--set spacing=1e-9: error: spacing: at 1e-09 m body 'block' would take some 1.0e.24 particles, \
+  "^--set spacing=1e-9: error: spacing: at 1e-09 m body 'block' would take about 1.0e.24 particles, \
 at least 4.0e.17 GB of memory; use a coarser spacing" 2 run "$good" --set spacing=1e-9
 rejects "more particles than memory" 'particles.* memory' 2 run "$good" --set spacing=2e-5
 rejects "more particles than memory" 'particles.* memory' 2 check "$good" --set spacing=2e-5

@@ -30,9 +30,10 @@ over = 0.05
 [surface]
 SCENE
 launch 2 check "$work/s.toml" >"$work/log" 2>&1; expectExit 0 "check"
-expectMessage "body 'brick': 50 of wax, 0.4 kg$" "a box of whole spacings"
+expectMessage "body 'brick': 50 particles of wax, 0.4 kg$" "a box of whole spacings"
 expectMessage \
-  "body 'ball': 81 of wax, 0.648 kg; its shape has 0.52[0-9]* kg: the particles are 23.[0-9] % too heavy" \
+  "body 'ball': 81 particles of wax, 0.648 kg; its shape has 0.52[0-9]* kg: the particles are 23.[0-9] % too \
+heavy" \
   "a coarse ball"
 expectMessage '^  more accurate: --set material.wax.hourglass=2 (solids: ' "advice"
 expectMessage \

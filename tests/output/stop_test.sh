@@ -56,7 +56,7 @@ expectMessage "stopped before rest" "relax --time-limit"
 launch 2 relax "$scenes/oriented/relax_plane.toml" --set spacing=0.1 --out "$work/relax" \
   --iterations 3 >"$work/log" 2>&1
 expectExit 0 "relax --iterations"
-expectMessage "^warning: oriented: 3 iterations.*used up before rest" "relax --iterations"
+expectMessage "^warning: oriented: 3 iterations.*limit of iterations before rest" "relax --iterations"
 expectMessage "^done .*relaxation did not reach rest after 3 iterations" "relax --iterations"
 relaxed=(--set oriented.left.relax=1000000)
 launchInBackground 2 run "$scenes/oriented/weld.toml" "${relaxed[@]}" --progress 0.2 --out "$work/cut" \
@@ -70,7 +70,8 @@ wait "$launched"; expectExit 75 "SIGTERM in relaxation"
 launch 2 run "$scenes/oriented/weld.toml" --set oriented.left.relax=1 --steps 1 --resume --out "$work/cut" \
   >"$work/log" 2>&1
 expectExit 0 "--resume without a checkpoint"
-expectMessage "there is no checkpoint to resume from: the run begins anew" "--resume without a checkpoint"
+expectMessage "there is no checkpoint to resume from: the run starts from the beginning" \
+  "--resume without a checkpoint"
 launch 2 check "$scenes/oriented/weld.toml" "${relaxed[@]}" >"$work/log" 2>&1
 expectExit 0 "check of a scene with relaxation"
 expectMessage "1000000 iterations at most; this check does not" "check of a scene with relaxation"

@@ -29,7 +29,8 @@ void printLines(const Lines& lines, const char* before) {
 
 /// Adds the error of the mass against the shape if it is above 1 %.
 std::string bodyLine(const CheckedBody& b) {
-  std::string line = fmt::format("body '{}': {} of {}, {:.4g} kg", b.name, b.particles, b.material, b.mass);
+  std::string line = fmt::format("body '{}': {} particles of {}, {:.4g} kg", b.name, b.particles, b.material,
+                                 b.mass);
   if (b.hasClamps) line += fmt::format(", {} of them clamped", b.clamped);
   const double ratio = b.shapeMass && *b.shapeMass > 0 ? b.mass / *b.shapeMass : 1;
   if (std::abs(ratio - 1) > 0.01)
@@ -62,7 +63,7 @@ void printParticles(const CheckReport& r) {
   for (const auto& [name, rows] : r.sheets) fmt::print("  sheet '{}': {} vertices\n", name, rows);
   if (!r.relaxation.empty()) fmt::print("  {}\n", r.relaxation);
   for (const CheckedEmitter& e : r.emitters)
-    fmt::print("  emitter '{}': of {}, {:.4g} kg/s, layers of {} particles\n", e.name, e.material, e.rate,
+    fmt::print("  emitter '{}': {}, {:.4g} kg/s, layers of {} particles\n", e.name, e.material, e.rate,
                e.perLayer);
   if (r.emitted > 0) fmt::print("  emitted until the end: {}\n", countText(r.emitted));
   printLines(r.overlaps, "  ");
@@ -126,7 +127,7 @@ void printCost(const CheckReport& r) {
   if (c.growth)
     fmt::print(
         "contacts and changes of rigid pieces are included: a run with a spacing of {:.2g} m has "
-        "{:.2f} times the steps expected at its start, of {:.2f} times the cost\n",
+        "{:.2f} times the steps expected at its start, each at {:.2f} times the cost\n",
         c.growth->spacing, c.growth->steps, c.growth->cost);
   if (takesTooLong(c)) fmt::print("warning: {}\n", tooLongText(r));
   fmt::print(

@@ -143,7 +143,7 @@ std::vector<std::string> SurfaceTrial::lines(const Forecast& f, int ranks) const
   const Surface& s = w.surface;
   const SurfaceSettings& set = w.scene.surface;
   std::vector<std::string> lines{
-      fmt::format("{} surfels at the start ({} expected by the area of the bodies), {} component{}",
+      fmt::format("{} surfels at the start ({} expected from the area of the bodies), {} component{}",
                   countText(f.surfels), countText(expected_), s.components.size(),
                   s.components.size() == 1 ? "" : "s"),
       fmt::format("surfels {:g} m apart; they act on each other within {:g} m (about {:.0f} neighbours), "

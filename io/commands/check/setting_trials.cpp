@@ -77,7 +77,7 @@ SettingTrials::Result SettingTrials::runWith(const std::vector<std::string>& set
 std::optional<std::string> SettingTrials::failureOf(const std::vector<std::string>& settings) {
   if (steps_ == 0 || outOfTime()) return std::nullopt;
   if (!usual_) usual_ = runWith({});
-  if (!usual_->failure.empty()) return "the scene fails without it, too; " + usual_->failure;
+  if (!usual_->failure.empty()) return "the scene also fails without it; " + usual_->failure;
   if (outOfTime()) return std::nullopt;
   Result r;
   try {

@@ -52,7 +52,7 @@ void startUv(ExportRun& run) {
   std::vector<std::string> warnings;
   const auto stored = run.scenes.of(run.groups[0].first(), warnings);
   for (const std::string& line : warnings) fmt::print(stderr, "thaw export: {}\n", line);
-  if (!stored) throw std::invalid_argument("--uv: the frames contain no scene, which names the meshes");
+  if (!stored) throw std::invalid_argument("--uv: the frames contain no scene, so the meshes are unknown");
   try {
     run.uv = followUv(stored->scene, surfacesUpTo(run.groups));
   } catch (const MeshError& error) { throw std::invalid_argument(std::string("--uv: ") + error.what()); }

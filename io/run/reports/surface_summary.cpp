@@ -95,7 +95,7 @@ std::vector<std::string> mergedSheetWarnings(const Scene& scene,
     if (body == last || body >= scene.bodies.size()) continue;
     last = body;
     w.push_back(fmt::format(
-        "the surface of the liquid body '{}' merges its layers where they are closer than some {} spacings: "
+        "the surface of the liquid body '{}' merges its layers where they are closer than about {} spacings: "
         "`surface.particle_support = 1` separates layers of particles at a distance of two spacings",
         scene.bodies[body].name, std::lround(scene.numerics.support * scene.surface.particleSupport) - 1));
   }

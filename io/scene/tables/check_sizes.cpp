@@ -59,7 +59,7 @@ std::string tooFineForBodies(const Scene& s, bool noGrid) {
   }
   if (!tooMany) return "";
   return fmt::format(
-      "spacing: at {:.3g} m body '{}'{} would take some {:.1e} particles, at least {:.1e} GB of memory; "
+      "spacing: at {:.3g} m body '{}'{} would take about {:.1e} particles, at least {:.1e} GB of memory; "
       "use a coarser spacing ({:.2g} m makes a million of them), or a smaller body",
       s.spacing, largest->name, most < sum ? " and others" : "", sum, sum * leastParticleBytes / 1e9,
       s.spacing * std::cbrt(sum / modest));
@@ -96,9 +96,9 @@ std::string roomText(const Scene& s) {
   for (const SheetBody& b : s.sheets) finest = std::min(finest, spacingOf(s, b));
   const Vec3d n = (s.domain.max - s.domain.min) * (1 / finest);
   if (hasContinuum(s))
-    return fmt::format("; at {:.3g} m it has room for some {:.0e} particles", finest, n.x * n.y * n.z);
-  return fmt::format("; at {:.3g} m a surface as large as its sides would have some {:.0e} particles", finest,
-                     2 * (n.x * n.y + n.y * n.z + n.z * n.x));
+    return fmt::format("; at {:.3g} m it has room for about {:.0e} particles", finest, n.x * n.y * n.z);
+  return fmt::format("; at {:.3g} m a surface as large as its sides would have about {:.0e} particles",
+                     finest, 2 * (n.x * n.y + n.y * n.z + n.z * n.x));
 }
 
 /// Returns the reason why the domain cannot be divided into cells, or "".

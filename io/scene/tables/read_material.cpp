@@ -203,7 +203,7 @@ void readHeat(TableReader& r, Material& m) {
 
 void checkExpansion(TableReader& r, const Material& m) {
   if (!m.densityTable.empty() && r.has("expansion"))
-    r.fail("expansion", "the table of densities states the expansion: remove one of the two", {"density"});
+    r.fail("expansion", "the table of densities gives the expansion: remove one of the two", {"density"});
   if (r.has("expansion_from") && !expands(m))
     r.fail("expansion_from", "applies only to a liquid with `expansion` or a table of densities",
            {"expansion", "density"});

@@ -125,7 +125,8 @@ void readEvent(TableReader& r, OrientedEvent& e) {
   }
   if (!r.reading()) return;
   if (cut && r.has("plane") && r.has("stroke"))
-    r.fail("stroke", "a second tool; expected one of `plane`, `stroke` and a shape, and a cut for each tool");
+    r.fail("stroke",
+           "a second tool; expected one of `plane`, `stroke` and a shape: use one cut for each tool");
   const auto only = [&](const char* key, bool takes, const char* of) {
     if (r.has(key) && !takes) r.fail(key, std::string("is for ") + of + " only");
   };
@@ -206,7 +207,7 @@ void readSource(TableReader& r, OrientedBody& b) {
   if (r.has("control") && b.points.size() < 3)
     r.fail("control", "expected at least three points that do not lie on a line");
   if (r.has("place") && (points || r.has("control") || r.has("curve")))
-    r.fail("place", "is for shapes, `patch` and `disc` only: the others have positions of their own");
+    r.fail("place", "is for shapes, `patch` and `disc` only: the others have their own positions");
   if (given > 1)
     r.fail(r.place(), r.path() + ": give one of `patch`, `disc`, `curve`, `points`, `control` and a shape");
   if (given > 0) refuseShape(r, "a second source of particles; expected one");

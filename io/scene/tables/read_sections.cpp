@@ -18,7 +18,7 @@ void readMotion(TableReader& r, const char* about, std::vector<Keyframe>& motion
     k.vector("move", f.move, "m", "displacement from the position at the start");
     if (turns) k.vector("rotate", f.rotate, "rad", "rotation about x, y, z through the origin");
     if (k.reading() && !motion.empty() && f.time <= motion.back().time)
-      k.fail("time", "keyframes must ascend in time: expected a later time than before");
+      k.fail("time", "keyframes must ascend in time: expected a time after that of the last one");
   });
 }
 
@@ -125,7 +125,7 @@ void readSections(TableReader& top, SceneReading& x) {
   top.table("output", "frames, checkpoints, pictures", [&](TableReader& r) {
     readOutput(r, s);
     if (s.end / s.output.every > 1e7)
-      r.fail("every", "more than ten million frames until `end`: expected a longer time");
+      r.fail("every", "more than ten million frames until `end`: expected a longer interval");
   });
 }
 

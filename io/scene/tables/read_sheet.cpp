@@ -74,11 +74,12 @@ void readSheetMesh(TableReader& r, SheetBody& b) {
             using std::numbers::pi;
             if (!t.reading()) return;
             if (!(b.width < 2 * pi * b.radius))
-              t.fail("width", fmt::format("must be less than once around the ball, {:.4g} m, got {:g}",
-                                          2 * pi * b.radius, b.width));
+              t.fail("width",
+                     fmt::format("must be less than the circumference of the ball, {:.4g} m, got {:g}",
+                                 2 * pi * b.radius, b.width));
             if (!(b.height < pi * b.radius))
               t.fail("height",
-                     fmt::format("must be less than from pole to pole of the ball, {:.4g} m, got {:g}",
+                     fmt::format("must be less than half the circumference of the ball, {:.4g} m, got {:g}",
                                  pi * b.radius, b.height));
           });
   readMesh(r, b.shape,
@@ -238,7 +239,7 @@ void readSheet(TableReader& r, SheetBody& b, SceneReading& x) {
   if (b.plasticity > 0 && b.stiffness == 0)
     r.fail("plasticity", "needs `stiffness`: without it a vertex has no rest position", {"stiffness"});
   if (b.plasticity > 0 && !r.has("elastic_limit"))
-    r.fail("plasticity", "needs `elastic_limit`: without one all is elastic");
+    r.fail("plasticity", "needs `elastic_limit`: without one everything is elastic");
   if (r.has("elastic_limit") && !r.has("plasticity"))
     r.fail("elastic_limit", "has no effect without `plasticity` above 0");
   if (length(b.wind) > 0 && b.windDensity == 0)

@@ -78,7 +78,7 @@ const char* const expressionWords =
 Expression parseExpression(const std::string& text) {
   if (text.size() > longest) return {{}, fmt::format("it is longer than {} characters", longest)};
   if (const std::size_t k = text.find('\0'); k != std::string::npos)  // muParser would end there
-    return {{}, fmt::format("character {} is a zero", k + 1)};
+    return {{}, fmt::format("character {} is a zero byte", k + 1)};
   if (const std::size_t k = assignmentIn(text); k != std::string::npos)
     return {{}, fmt::format("'=' at character {}: nothing can be assigned here (equality is '==')", k + 1)};
   const auto formula = std::make_shared<Formula>();

@@ -35,14 +35,14 @@ testing::AssertionResult saysOnce(const std::string& text, const std::string& be
 TEST(TooFine, BodiesAreReportedAtTheSpacing) {
   const std::string fine = "spacing = 1e-9\n" + around;
   EXPECT_TRUE(saysOnce(fine + body("box = { size = [1, 1, 1] }"),
-                       "s.toml:1:11: error: spacing: at 1e-09 m body 'b' would take some 1.0e+27 particles, "
+                       "s.toml:1:11: error: spacing: at 1e-09 m body 'b' would take about 1.0e+27 particles, "
                        "at least 4.0e+20 GB of memory",
                        "(0.01 m makes a million of them)"));
   EXPECT_TRUE(saysOnce(fine + body("sphere = { radius = 0.5 }"),
-                       "s.toml:1:11: error: spacing: at 1e-09 m body 'b' would take some 5.2e+26 particles",
+                       "s.toml:1:11: error: spacing: at 1e-09 m body 'b' would take about 5.2e+26 particles",
                        ""));
   EXPECT_TRUE(saysOnce(fine + body("mesh = \"builtin:bust\""),
-                       "s.toml:1:11: error: spacing: at 1e-09 m body 'b' would take some 5",
+                       "s.toml:1:11: error: spacing: at 1e-09 m body 'b' would take about 5",
                        "e+25 particles"));
   EXPECT_TRUE(saysOnce(fine + body("sphere = { radius = 0.5 }") +
                            "[[body]]\nname = \"c\"\nmaterial = \"j\"\nsphere = { radius = 0.1 }\nplace = { "
@@ -51,7 +51,7 @@ TEST(TooFine, BodiesAreReportedAtTheSpacing) {
                        "particles"));
   EXPECT_TRUE(saysOnce(fine + body("mesh = \"not_read_yet.obj\""),
                        "s.toml:3:1: error: the domain is 1e+09 support radii long along x",
-                       "at 1e-09 m it has room for some 8e+27 particles"));
+                       "at 1e-09 m it has room for about 8e+27 particles"));
   EXPECT_EQ(errorOf("spacing = 0.01\n" + around + body("box = { size = [1, 1, 1] }")), "");
 }
 

@@ -30,7 +30,7 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
        "s.toml:7:11: error: oriented.0.control: expected at least three points that do not lie on a line"},
       {"[[oriented]]\ncurve = { from = [0, 0, 0], to = [0.5, 0, 0] }\nplace = { move = [0, 0, 0.5] }\n",
        "s.toml:8:9: error: oriented.0.place: is for shapes, `patch` and `disc` only: the others have "
-       "positions of their own"},
+       "their own positions"},
       {patch + "[[oriented.anchor]]\nsphere = { radius = 0.1 }\nposition = false\n",
        "s.toml:9:1: error: oriented.a.anchor.0: has no effect: set `position = true`, `normal = true`, "
        "or both"},
@@ -40,8 +40,7 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
       {patch + "[[oriented.event]]\nkind = \"cut\"\nplane = { point = [0, 0, 0] }\nstroke = [[0, 0, 0], "
                "[0.1, 0, 0]]\n",
        "s.toml:12:10: error: oriented.a.event.0.stroke: a second tool; expected one of `plane`, `stroke` and "
-       "a "
-       "shape, and a cut for each tool"},
+       "a shape: use one cut for each tool"},
       {patch + "[[oriented.event]]\nkind = \"crease\"\nalong = [[0, 0, 0], [0.1, 0, 0]]\nplane = { point = "
                "[0, 0, 0] }\n",
        "s.toml:12:9: error: oriented.a.event.0.plane: is for a cut only"},
@@ -67,7 +66,7 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
       {cloth + "stretch_limit = 0.9\n",
        "s.toml:8:17: error: sheet.0.stretch_limit: must be >= 1 or \"never\", got 0.9"},
       {cloth + "stiffness = 1\nplasticity = 0.5\n",
-       "s.toml:9:14: error: sheet.0.plasticity: needs `elastic_limit`: without one all is elastic"},
+       "s.toml:9:14: error: sheet.0.plasticity: needs `elastic_limit`: without one everything is elastic"},
       {cloth + "stiffness = 1\nelastic_limit = 0.01\n",
        "s.toml:9:17: error: sheet.0.elastic_limit: has no effect without `plasticity` above 0"},
       {patch + "normals = [[0, 0, 1]]\n", "s.toml:9:11: error: oriented.a.normals: is for `points` only"},
@@ -86,8 +85,9 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
        "s.toml:8:18: error: sheet.0.warp_direction: is for springs along edges: set `warp`, `weft` or "
        "`shear`, too"},
       {"[[sheet]]\nforehead = { radius = 0.1, width = 0.7, height = 0.1 }\n",
-       "s.toml:7:36: error: sheet.0.forehead.width: must be less than once around the ball, 0.6283 m, got "
-       "0.7"},
+       "s.toml:7:36: error: sheet.0.forehead.width: must be less than the circumference of the ball, 0.6283 "
+       "m, "
+       "got 0.7"},
       {cloth + "warp = \"3 kg\"\n",
        "s.toml:8:8: error: sheet.0.warp: expected a force per length such as \"0.03 N/m\", got \"3 kg\""},
       {cloth + "mass = \"3 N/m\"\n",

@@ -57,7 +57,7 @@ TEST(Expression, ReadsDecimalPointsInAnyLocale) {
 TEST(Expression, ErrorsNameTheProblemAndThePlace) {
   EXPECT_EQ(parseExpression("20*q").error, "unknown name \"q\" at character 4");
   EXPECT_EQ(parseExpression("20*pq ").error, "unknown name \"pq\" at character 4");
-  EXPECT_EQ(parseExpression(std::string("x\0+ nonsense", 12)).error, "character 2 is a zero");
+  EXPECT_EQ(parseExpression(std::string("x\0+ nonsense", 12)).error, "character 2 is a zero byte");
   EXPECT_EQ(parseExpression("20*").error, "it ends too early");
   EXPECT_NE(parseExpression("(x").error, "");
   EXPECT_NE(parseExpression("x, y").error, "");
