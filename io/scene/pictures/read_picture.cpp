@@ -48,8 +48,8 @@ void readPicture(TableReader& r, Output& o) {
   readLights(r, o);
   int spray = static_cast<int>(o.spray);
   r.choice("spray", spray, {"ellipsoids", "spheres", "hide", "surfels"},  // as in Spray
-           "drops of one and two particles in pictures of a surface: ellipsoids of their volume along their "
-           "motion, spheres, hidden, or by their surfels");
+           "look of drops of one and two particles in pictures of a surface: ellipsoids of their volume "
+           "along their motion, spheres, hidden, or their surfels");
   o.spray = static_cast<Spray>(spray);
   std::int64_t width = o.width, height = o.height;
   r.whole("width", width, 64, 16384, "width of pictures, in pixels");

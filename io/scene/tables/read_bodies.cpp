@@ -94,11 +94,12 @@ void readObstacle(TableReader& r, Obstacle& o, SceneReading& x) {
   r.number("conductance", o.conductance, "W/(m^2 K)", orNever(positive()),
            "heat conductance of the contact; \"never\": no resistance");
   r.number("friction", o.friction, "", between(0, 10),
-           "Coulomb friction on solids. Below its limit it is a drag of at most sqrt(young spacing m) in "
-           "kg/s for a touching particle of mass m. Solids thus creep on a slope, stiffer ones less");
+           "Coulomb friction on solids. Below the Coulomb limit it is a drag, with a coefficient of at most "
+           "sqrt(`young` * `spacing` * m) (kg/s) for a touching particle of mass m. Solids thus creep on a "
+           "slope, stiffer ones less");
   r.number("restitution", o.restitution, "", between(0, 1),
-           "restitution of solids that hit it: the smaller of this and the material's applies, so above 0.5 "
-           "set the material's as well");
+           "restitution of solids that hit it: the smaller of this and the material's applies, so set both "
+           "for a value above 0.5");
   r.flag("slip", o.slip, "liquids slip along it freely; false: they stick");
   r.number("contact_angle", o.contactAngle, "rad", Range{0, std::numbers::pi, false, false, true},
            "contact angle of all liquids at it; \"never\": each liquid has the angle of its material");

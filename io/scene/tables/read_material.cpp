@@ -59,9 +59,9 @@ void readDensity(TableReader& r, Material& m) {
   if (r.hasList("density") || !m.densityTable.empty())
     r.pairs({"density", "K", "kg/m^3", {0, never, true, false, false}, positive(), "", ""}, m.densityTable);
   else readDensityAtRest(r, m);
-  r.number(
-      "expansion", m.expansion, "1/K", between(-0.1, 0.1),
-      "coefficient of volume expansion of the liquid. It causes buoyancy; volumes at rest do not change");
+  r.number("expansion", m.expansion, "1/K", between(-0.1, 0.1),
+           "coefficient of volume expansion of the liquid. It causes buoyancy, but does not change volumes "
+           "at rest");
   r.number("expansion_from", m.expansionFrom, "K", notNegative(),
            "temperature at which the liquid has `density`; 0: `domain.ambient`");
 }
@@ -104,9 +104,9 @@ void readLiquid(TableReader& r, Material& m) {
   r.number("xsph", m.xsph, "", between(0, 1), "smoothing of the velocity with which liquid moves (XSPH)");
   r.byScene().number(
       "bulk_damping", m.bulkDamping, "", between(0, 0.05),
-      "damping of sound in liquids with `density = \"continuity\"`. The pressure is that of the "
-      "density a time ahead: this number times h / `sound_speed`, with the support radius h. "
-      "Default: 0.02 where `artificial_viscosity` has one, else 0");
+      "damping of sound in liquids with `density = \"continuity\"`. The pressure is taken at the density "
+      "extrapolated by the time h / `sound_speed` times this number, with the support radius h. Default: "
+      "0.02 where a default of `artificial_viscosity` applies, else 0");
   r.byScene().number(
       "artificial_viscosity", m.artificialViscosity, "", between(0, 10),
       "Monaghan's alpha for approaching pairs. Default with `density = \"continuity\"`: 0.02, or 0.005 in "
@@ -144,8 +144,8 @@ void readSolid(TableReader& r, Material& m) {
   r.number("break_stretch", m.breakStretch, "", orNever(Range{1, never, true, false, false}),
            "length at which a bond breaks, as a multiple of its rest length; \"never\": no bond breaks");
   r.number("strength", m.strength, "Pa", orNever(positive()),
-           "tensile stress at which rigid pieces (law = \"rigid\") break in an impact. It needs young, which "
-           "gives the duration of the impact. \"never\": they do not break");
+           "tensile stress at which rigid pieces (law = \"rigid\") break in an impact. It needs `young`, "
+           "which sets the duration of the impact. \"never\": they do not break");
   r.number("damping", m.damping, "1/s", notNegative(),
            "rate at which velocity differences of bonded particles decay");
   r.flag("weld", m.weld, "solids of this material that touch after freezing weld together");
@@ -159,7 +159,7 @@ void readSolid(TableReader& r, Material& m) {
       "one applies");
   r.number("restitution", m.restitution, "", between(0, 1),
            "restitution of contacts between separate solids and with obstacles: the smaller of the two "
-           "applies, so above 0.5 set both");
+           "applies, so set both for a value above 0.5");
 }
 
 void readHeat(TableReader& r, Material& m) {
@@ -189,7 +189,7 @@ void readHeat(TableReader& r, Material& m) {
     }
   }
   r.number("hysteresis", m.hysteresis, "", Range{0, 0.5, false, true, false},
-           "liquid freezes below this liquid fraction, solid melts above 1 minus it");
+           "liquid freezes at or below this liquid fraction, solid melts at or above 1 minus it");
   r.number("heat_source", m.heatSource, "W/kg", anyNumber(), "heat produced in the material");
   r.number("emissivity", m.emissivity, "", between(0, 1),
            "emissivity of free surfaces, for radiation to `domain.ambient`");

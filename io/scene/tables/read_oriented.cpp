@@ -93,7 +93,7 @@ void readEvent(TableReader& r, OrientedEvent& e) {
   r.restart(Restart::Setting);
   r.choice("kind", e.kind, {"weld", "cut", "crease", "smooth"},
            "weld: joins another body to this one, whose name later events use. cut: ends all interaction "
-           "across it. crease: removes the orientation from the forces along a line. smooth: restores it "
+           "across it. crease: along a line, forces no longer depend on orientations. smooth: undoes this "
            "within its SHAPE");
   r.number("time", e.time, "s", notNegative(), "time of the event; 0: at the start, after relaxation");
   r.text("other", e.other, "weld: the body that is joined to this one", "name of an oriented body");
@@ -197,7 +197,7 @@ void readSource(TableReader& r, OrientedBody& b) {
   readPoints(r,
              {"control", "m",
               "a thin plate through a few control points. Particles within 2.2 spacings of one are fixed in "
-              "position and normal, and the others hang from them",
+              "position and normal; the others are free",
               from(OrientedSource::Control)},
              b.points);
   const int given = r.has("patch") + r.has("disc") + r.has("curve") + r.has("points") + r.has("control");
@@ -307,7 +307,7 @@ void readOriented(TableReader& r, OrientedBody& b, SceneReading& x) {
            "at borders is unbounded unless \"thin\", \"points\" or \"most\" limits it; points of a surface "
            "with an open rim need \"most\"");
   r.number("gap", b.gap, "", between(1.1, 2.1),
-           "distance of neighbours (spacings) from which a particle is added between them");
+           "distance of neighbours (spacings) above which a particle is added between them");
   r.number("crowd", b.crowd, "", between(0, 0.95),
            "distance (spacings) below which one of two particles is removed; 0: never");
   r.whole("every", b.every, 1, 100000, "steps between checks of gaps, borders and crowding");

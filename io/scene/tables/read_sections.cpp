@@ -61,7 +61,7 @@ void readSources(TableReader& top, SceneReading& x) {
 void readSections(TableReader& top, SceneReading& x) {
   Scene& s = *x.scene;
   top.as(Restart::Free)
-      .text("title", s.title, "one line for pictures and listings, which show about 100 characters of it");
+      .text("title", s.title, "one line, of which pictures and listings show about 100 characters");
   if (s.title.find_first_of("\n\r") != std::string::npos)
     top.fail("title", "expected one line, got a text of several");
   top.as(Restart::State)
@@ -107,7 +107,7 @@ void readSections(TableReader& top, SceneReading& x) {
       .tables("sheet", "a sheet whose vertices are exact damped springs", s.sheets, in(readSheet));
   top.as(Restart::State).tables("emitter", "an opening that emits particles", s.emitters, in(readEmitter));
   top.tables("obstacle", "a rigid object that particles cannot enter", s.obstacles, in(readObstacle));
-  top.tables("thermostat", "brings particles to a temperature, regardless of position", s.thermostats,
+  top.tables("thermostat", "brings particles to a temperature, at any position", s.thermostats,
              in(readThermostat));
   readSources(top, x);
   refuseOtherNames(top);

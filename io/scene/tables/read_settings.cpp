@@ -22,10 +22,10 @@ void readSides(TableReader& r, const char* key, std::array<Side, 2>& sides) {
   const bool periodic = sides[0] == Side::Periodic;
   const toml::node* n = r.node(
       key, "", "\"open\", \"wall\", \"periodic\" or a pair [low, high]",
-      "type of the two sides across this axis. open: leaving particles are recorded in the ledger. periodic: "
-      "leaving particles enter at the other side. A body may lie across a periodic side, with its mesh and "
-      "surface, if it does not overlap its own image. A sheet or an oriented body may not. A periodic axis "
-      "is at least three support radii long: 6 spacings if `numerics.support` is 2",
+      "type of the two sides across this axis. open: particles that leave are recorded in the ledger. "
+      "periodic: particles that leave enter at the opposite side. A body may lie across a periodic side, "
+      "with its mesh and surface, if it does not overlap its own image. A sheet or an oriented body may not. "
+      "A periodic axis is at least three support radii long: 6 spacings if `numerics.support` is 2",
       r.describing() ? "\"open\""
       : periodic     ? "periodic"
                      : "not periodic");
@@ -54,16 +54,17 @@ void readDomain(TableReader& r, Domain& d) {
   r.restart(Restart::State);
   r.vector("min", d.min, "m", "low corner");
   r.vector("max", d.max, "m", "high corner, above the low one");
-  r.table("sides",
-          "types of the domain's sides, open by default. Bodies and obstacles may lie across periodic sides: "
-          "the part beyond acts at the other side. At a restart, open and wall may change",
-          [&](TableReader& s) {
-            readSides(s, "x", d.side[0]);
-            readSides(s, "y", d.side[1]);
-            readSides(s, "z", d.side[2]);
-          });
+  r.table(
+      "sides",
+      "types of the domain's sides, open by default. Bodies and obstacles may lie across periodic sides: the "
+      "part beyond acts at the opposite side. At a restart, only a change to or from periodic is refused",
+      [&](TableReader& s) {
+        readSides(s, "x", d.side[0]);
+        readSides(s, "y", d.side[1]);
+        readSides(s, "z", d.side[2]);
+      });
   Vec3d gravity = d.gravity + d.buoyantGravity;  // one of them is 0
-  r.vector("gravity", gravity, "m/s^2", "acceleration of everything");
+  r.vector("gravity", gravity, "m/s^2", "gravitational acceleration");
   if (!r.recording()) d.gravity = gravity;
   r.as(Restart::Coefficient)
       .number("ambient", d.ambient, "K", positive(), "ambient temperature, for convection and radiation");
@@ -89,8 +90,8 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.choice("elastic_precision", n.elasticPrecision, {"single", "double"},
            "precision of sums over bonds of solids; single is accurate to 1e-6 of the strain");
   r.choice("pressure", n.pressure, {"consistent", "printed"},
-           "consistent: pair form that conserves energy. printed: the sum in Keiser et al. 2005, which has "
-           "half the gradient");
+           "consistent: pair form that conserves energy. printed: as printed in Keiser et al. 2005, which "
+           "gives half the gradient");
   r.byScene().choice(
       "density", n.density, {"summation", "continuity", "plain"},
       "density of liquids. summation: a sum over positions, consistent with compression. "
@@ -119,14 +120,14 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.restart(Restart::Setting);
   r.number("density_tolerance", n.densityTolerance, "", {0, 0.1, true, false, false},
            "incompressible: the solver stops when the mean remaining compression of a step is below this. "
-           "Earlier compression is undone in the time that the flow takes for one spacing");
+           "Earlier compression is removed in the time in which the flow moves by one spacing");
   r.number("divergence_tolerance", n.divergenceTolerance, "", {0, 0.1, true, false, false},
-           "incompressible: mean rate of compression, times the step, at which it stops");
+           "incompressible: mean rate of compression, times the step, below which the solver stops");
   r.whole("max_iterations", n.maxIterations, 1, 100000,
           "incompressible: largest number of iterations per solve; the summary counts solves that reach it");
   r.restart(Restart::Coefficient);
   r.choice("viscosity", n.viscosity, {"pairwise", "laplacian"},
-           "pairwise: along the line between two particles, which keeps angular momentum. laplacian: as "
+           "pairwise: along the line between two particles, which conserves angular momentum. laplacian: as "
            "printed in Keiser et al. 2005");
   r.byScene().flag(
       "viscosity_correction", n.viscosityCorrection,
@@ -200,17 +201,16 @@ void readNumerics(TableReader& r, Numerics& n) {
   std::int64_t substeps = n.elasticSubsteps;
   r.whole(
       "elastic_substeps", substeps, 0, 64,
-      "largest number of substeps of solids within a step, if their elastic limit is the shortest. 0: 4 "
-      "with liquid (2 if it is incompressible) and without contact of solids, else 1. With at most one solid "
-      "body, contacts of frozen pieces limit the step only while pieces touch or are about to. Above 8, or 2 "
-      "with incompressible liquid, the liquid may pump energy into solids without damping");
+      "largest number of substeps of solids within a step, if their elastic limit is the shortest. 0: 4 with "
+      "liquid (2 if it is incompressible) and without contact of solids, else 1. With at most one solid "
+      "body, contacts of frozen pieces limit the step only while pieces touch or are about to. With more "
+      "than 8, or 2 with incompressible liquid, the liquid may pump energy into solids without damping");
   n.elasticSubsteps = static_cast<int>(substeps);
-  r.number(
-      "sleep_speed", n.sleepSpeed, "m/s", notNegative(),
-      "solids that are slower than this for `sleep_after`, like all their neighbours, sleep: they stay in "
-      "place, at little cost, until something wakes them. Progress lines show how many sleep and what "
-      "keeps the others awake. 0: never. Not with sheets, oriented bodies, `elastic_substeps`, an "
-      "incompressible or an implicit solver");
+  r.number("sleep_speed", n.sleepSpeed, "m/s", notNegative(),
+           "solids that are slower than this for `sleep_after`, like all their neighbours, sleep: they stay "
+           "in place at little cost until a load, heat or a neighbour wakes them. Progress lines show how "
+           "many sleep and what keeps the others awake. 0: never. Not available with sheets, oriented "
+           "bodies, `elastic_substeps`, an incompressible or an implicit solver");
   r.number("sleep_after", n.sleepAfter, "s", positive(),
            "time at rest before a solid sleeps, or before a part of it becomes rigid (rigidify). An "
            "acceleration that reaches `sleep_speed` within this time, or half of gravity, keeps a solid "
@@ -220,9 +220,9 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.number("rigidify", n.rigidify, "1/s", orOff(notNegative()),
            "parts of elastic solids whose rate of strain stays below this for the time `sleep_after` move as "
            "rigid pieces. They become elastic when they deform, soften, or come near an obstacle or another "
-           "body. No elastic forces are computed for them. While all solids are rigid, the elastic limit of "
+           "body. Their elastic forces are not computed. While all solids are rigid, the elastic limit of "
            "the step does not apply. The value must be below the rates of vibrations that matter, such as "
-           "0.1 for stiff bodies. Not with rigid, yielding or breaking materials, extension laws, "
+           "0.1 for stiff bodies. Not available with rigid, yielding or breaking materials, extension laws, "
            "`sleep_speed` or `elastic_substeps`. 0 or \"off\": none");
   r.restart(Restart::Free);
   r.whole("retry_every", n.retryEvery, 0, 1000000000,
@@ -273,8 +273,8 @@ void readOutput(TableReader& r, Scene& s) {
            "pieces of a frame's file: one, or one per rank (for parallel ParaView)");
   o.piecesByRank = pieces == 1;
   r.text("colour", o.colour,
-         "source of the colours of pictures; none: temperature; without heat speed, and for sheets alone "
-         "their own colours",
+         "source of the colours of pictures; none: temperature; in scenes without heat, speed; in scenes of "
+         "sheets alone, their own colours",
          "\"speed\" or a field; for a surface also \"surface\" (its own colours) or \"glow\" (own colours "
          "that blend into those of the temperature)");
   std::set<std::string> words(known.begin(), known.end());

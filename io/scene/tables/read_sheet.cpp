@@ -118,12 +118,11 @@ void readInner(TableReader& r, SheetBody& b) {
            "stiffness of springs along edges in the direction of the warp: tension per width and strain");
   r.number("weft", b.weft, "N/m", notNegative(), "stiffness of springs along edges across the warp");
   r.number("shear", b.shear, "N/m", notNegative(),
-           "stiffness of springs along the edges between, both diagonals of a square");
+           "stiffness of springs along edges in other directions, and along both diagonals of a square");
   r.as(Restart::State)
-      .vector(
-          "warp_direction", b.warpDirection, "",
-          "direction of the warp in the mesh's own axes, which `place` rotates; edges within 25 degrees of "
-          "it are warp, beyond 72 degrees weft");
+      .vector("warp_direction", b.warpDirection, "",
+              "direction of the warp in the mesh's own axes, which `place` rotates; edges within 25 degrees "
+              "of it are warp, those at more than 72 degrees are weft");
   r.number("rest_length", b.restLength, "", positive(),
            "rest length of the springs as a multiple of their length at the start");
   r.number("bending", b.bending, "N/m", notNegative(),
@@ -145,7 +144,7 @@ void readOuter(TableReader& r, SheetBody& b) {
   r.vector("wind", b.wind, "m/s", "velocity of the air");
   r.number("wind_density", b.windDensity, "kg/m^3", notNegative(),
            "density of the air times a drag coefficient: pressure divided by the squared normal velocity. 0: "
-           "no air. Without `wind` the air is at rest and drags");
+           "no air. Without `wind`, the drag is that of air at rest");
   r.number("wrap", b.wrap, "Pa", anyNumber(),
            "pressure that shrinks the sheet: against its normal, or toward `wrap_to`");
   r.text("wrap_to", b.wrapTo,

@@ -11,8 +11,8 @@ void readSurface(TableReader& r, SurfaceSettings& s) {
   r.number("spacing", s.spacing, "m", notNegative(),
            "surfel spacing, and radius of the discs; 0: half the particle spacing");
   r.number("support", s.support, "", between(1.5, 12),
-           "radius within which surfels act on each other (h_ss), in surfel spacings; h_ss = h of Keiser et "
-           "al. 2005 means hundreds of neighbours on a detailed body");
+           "radius within which surfels act on each other (h_ss), in surfel spacings; with h_ss = h, as in "
+           "Keiser et al. 2005, a surfel on a detailed body has hundreds of neighbours");
   r.number(
       "particle_support", s.particleSupport, "", between(1, 3),
       "radius within which particles act on surfels (h_ps), as a multiple of the particles' support radius");
@@ -21,9 +21,8 @@ void readSurface(TableReader& r, SurfaceSettings& s) {
               "source of the first surfels. automatic: sampled from the meshes of bodies and the shapes of "
               "initially solid bodies, unless `numerics.overlap` removes particles; else grown from the "
               "particles. particles: always grown from the particles");
-  r.whole(
-      "every_steps", s.everySteps, 0, INT64_MAX,
-      "steps between updates of the surface; 0: by the other rules. Every frame has an update of its own");
+  r.whole("every_steps", s.everySteps, 0, INT64_MAX,
+          "steps between updates of the surface; 0: only by `every_move`. Each frame has its own update");
   r.number("every_move", s.everyMove, "", between(0, 10),
            "update when a particle has moved this fraction of the support radius since the last one; 0: no "
            "such updates");
@@ -44,9 +43,9 @@ void readSurface(TableReader& r, SurfaceSettings& s) {
            "factor of each displacement in an update (alpha)");
   r.whole("iterations", s.iterations, 1, 10000, "largest number of iterations per update");
   r.number("stop", s.stop, "", between(1e-6, 1),
-           "largest move of a surfel that stops, as a fraction of its spacing across the surface; along the "
-           "surface five times this. Surfels that stop, like their neighbours, are skipped for the rest of "
-           "the update");
+           "a surfel stops if it moves by less than this fraction of its spacing across the surface, and "
+           "less than five times this along it. Surfels that stop, like their neighbours, are skipped for "
+           "the rest of the update");
   r.number("adapt", s.adapt, "", between(0, 1),
            "finest spacing as a fraction of `spacing`, where the surface is curved: at small drops and "
            "edges; 0: the same spacing everywhere");
@@ -60,7 +59,7 @@ void readSurface(TableReader& r, SurfaceSettings& s) {
            "there. They merge if a particle of one lies inside the other's surface, or if they are as close "
            "as particles of one liquid. all: also two solids, if a particle of one lies inside the other's "
            "surface; contact forces mostly prevent this, so solids must weld or be pressed together. none: "
-           "none. Surfaces that do not merge are kept apart. Particles are not affected");
+           "no surfaces merge. Surfaces that do not merge are kept apart. Particles are not affected");
   r.number("link_length", s.linkLength, "", between(1.1, 4),
            "largest distance (spacings) of particles that connect a component; near 1 a hardly strained "
            "lattice falls apart");
