@@ -150,7 +150,7 @@ class SurfaceSettings(Table):
 
 
 class Output(Table):
-    table, about = "output", "Frames, checkpoints, pictures: Scene(output=...)."
+    table, about = "output", "Frames, checkpoints and pictures: Scene(output=...)."
 
 
 class Material(Table):

@@ -49,11 +49,11 @@ def _placed(text: str) -> Dict[str, Any]:
 
 
 class BlewUp(ThawError, RuntimeError):
-    """A step failed, and the retries of the scene are used up: which particle, why, and what was tried."""
+    """A step failed, and no retry is left. The message has the particle, the cause and the retries."""
 
 
 class FieldError(ThawError, KeyError):
-    """A field, column or body has no such name. The message lists the names there are."""
+    """A field, column or body has no such name. The message lists the valid names."""
 
     def __str__(self) -> str:
         return str(self.args[0])  # KeyError would quote the message

@@ -123,7 +123,7 @@ class Frame(BodyPoints):
 
     @property
     def parts(self) -> Tuple[str, ...]:
-        """What the frame has, of 'particles', 'surface', 'sheets' and 'oriented'."""
+        """Contents of the frame, from 'particles', 'surface', 'sheets' and 'oriented'."""
         return tuple(k for k in SUFFIXES if os.path.exists(self._file(k)))
 
     def _file(self, kind: str) -> str:

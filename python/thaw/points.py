@@ -83,7 +83,7 @@ def readHead(hdf: HdfFile, kind: str) -> Head:
 class Points:
     """Points with fields: `points['velocity']` is an array with a row for each point, in the file's order.
 
-    The order of rows changes from frame to frame; `by_id` and `match` take care of that. Values are read
+    The order of rows changes from frame to frame; `by_id` and `match` sort by id. Values are read
     on access and are not kept. All errors are `FileError` or `FieldError`.
     """
 

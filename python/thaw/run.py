@@ -25,8 +25,8 @@ SIGNS = ('lock', 'summary.json', 'checkpoint/a.hdf', 'checkpoint/b.hdf')
 class Run:
     """The results of a run, finished or still running.
 
-    Nothing is kept open. What was read stays as it was until `refresh`, so that frames and logs of a running
-    run fit together.
+    No file is kept open. Values that were read do not change until `refresh`, so frames and logs of a run in
+    progress are consistent.
     """
 
     def __init__(self, path: str, scene: Optional[str] = None) -> None:

@@ -159,7 +159,7 @@ class Scene(metaclass=_Completed):
         ranks: number of ranks for the estimates of memory and time; 0: one.
 
         Keys of registered extensions are accepted. Not collective: each rank checks by itself. Exceptions of
-        extension functions pass on.
+        extension functions are raised.
         """
         overrides = [f"{key}={self.toml_value(value)}" for key, value in self.overrides.items()]
         if self.keys is None:

@@ -208,7 +208,7 @@ class Simulation:
         self._core.request_stop()
 
     def resume(self) -> None:
-        """Lets a stopped simulation go on."""
+        """Clears the stop request of a stopped simulation."""
         self._core.resume()
 
     # -- data ------------------------------------------------------------------------------------------------
@@ -426,7 +426,7 @@ class Simulation:
         It is called now, except after a restart, and once a step at the positions at time t (s). If it
         raises an exception now, it is not added. Its work and impulse are in the ledger. For the same bits on
         any number of ranks, a particle's force must follow from its own fields and t alone.
-        The automatic sound speed of liquids does not include it: give material.NAME.sound_speed, ten times
+        The automatic sound speed of liquids does not include it: set material.NAME.sound_speed, ten times
         the largest speed of the flow.
         """
 
