@@ -7,8 +7,8 @@
 
 namespace thaw {
 
-/// Returns the modulus (Pa) of contact springs at a liquid fraction: Young's modulus and, of the solid part,
-/// the volume stiffness. Without the latter a contact would be softer than the body that it stops.
+/// Returns the modulus (Pa) of contact springs at a liquid fraction: Young's modulus plus the volume
+/// stiffness of the solid part. Without the latter a contact would be softer than the body that it stops.
 inline double contactModulus(const Material& m, double liquidFraction) {
   return m.young.at(liquidFraction) + (1 - liquidFraction) * m.volumeStiffness;
 }

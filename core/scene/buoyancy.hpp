@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Buoyancy of liquids whose density depends on the temperature (B03): their volume at rest stays,
-// and only their weight changes. docs/theory/buoyancy.md has the equations.
+// Buoyancy of liquids whose density depends on the temperature (B03): only their
+// weight changes, not their volume at rest. docs/theory/buoyancy.md has the equations.
 #pragma once
 #include "core/scene/scene.hpp"
 

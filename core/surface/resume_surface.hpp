@@ -10,7 +10,7 @@ namespace thaw {
 /// Sorts surfels of any order and partitions the domain by them. The next update migrates them. Collective.
 void resumeSurface(Surface& surface, SurfaceHalos halos, SurfaceTools& tools);
 
-/// Partitions the domain anew if the halo decides so. Surfel counts are used as weights, since updates are
+/// Repartitions the domain if the halo requires it. Surfel counts are used as weights, since updates are
 /// too rare to time. Requires: no update in progress. force: always partition. Collective.
 void balanceSurface(Surface& surface, SurfaceHalos halos, SurfaceTools& tools, bool force);
 

@@ -47,7 +47,7 @@ inline constexpr double longestSpring = 0.5;
 WallSpring wallSpring(const WallContext& context, std::size_t row);
 
 /// Lists the owned particles within a support radius of a wall. Particles deeper in a wall than half a
-/// spacing are moved back to that depth without their velocity into it. Counters::wallProjections counts
+/// spacing are moved back to that depth and lose their velocity into it. Counters::wallProjections counts
 /// them. The kinetic energy and the contact energy that they lose are recorded as dissipated.
 void findWallContacts(const WallContext& context, WallContacts& contacts);
 

@@ -13,12 +13,12 @@ struct ViscousNeighbours {
   double fourth[21] = {};      ///< a p_k p_l for l >= k, p: products of d in the order of `second`
 };
 
-/// Returns the factor of the particle's viscosity with which its pairs dissipate what the liquid does: 2 mu
-/// D:D per volume, D the strain rate. In a linear flow pairs dissipate mu / 2 sum_j a (d.D d)^2. On a lattice
-/// this depends on the directions of D: 0.89 to 1.06 of the exact value at rest, 0.54 to 1.26 while layers
-/// slide past each other. D is fitted to the velocities of the neighbours by least squares with the same
-/// weights; its trace is removed. The factor is 1 where neighbours are missing, close to a free surface or a
-/// wall, and lies between 1/2 and `most`.
+/// Returns the factor of the particle's viscosity with which its pairs dissipate as much as the liquid: 2 mu
+/// D:D per volume, with the strain rate D. In a linear flow pairs dissipate mu / 2 sum_j a (d.D d)^2. On a
+/// lattice this depends on the directions of D: 0.89 to 1.06 of the exact value at rest, 0.54 to 1.26 while
+/// layers slide past each other. D is fitted to the velocities of the neighbours by least squares with the
+/// same weights; its trace is removed. The factor is 1 where neighbours are missing, close to a free surface
+/// or a wall, and lies between 1/2 and `most`.
 double viscosityFactor(const ViscousNeighbours& sums, double most);
 
 }  // namespace thaw

@@ -22,8 +22,8 @@ struct PointInterpolant {
 void buildInterpolant(PointInterpolant& given);
 
 /// Returns unit normals of points without any. Each is the normal of the plane of the 12 nearest points. A
-/// minimal spanning tree over differences of normals orients them, from the highest point (normal up) on
-/// (H92); docs/validation/stability.md, row 17.
+/// minimal spanning tree over differences of normals orients them, starting at the highest point with its
+/// normal up (H92); docs/validation/stability.md, row 17.
 std::vector<Vec3d> normalsOf(const std::vector<Vec3d>& points);
 
 /// Moves a position onto the interpolated surface and returns the normal there. False if no point is within

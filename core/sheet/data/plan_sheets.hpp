@@ -102,7 +102,7 @@ std::vector<SheetFactor> springKinds(const SheetPlan& plan, std::uint32_t vertex
 std::span<const SheetHinge> hingesAt(const SheetPlan& plan, std::uint32_t vertex);
 
 /// Returns the stiffness (N/m) of an edge along this direction with adjacent triangle area (m^2). It is
-/// stiffness * area / length^2 (VG98), so a strip is as stiff as its width requires.
+/// stiffness * area / length^2 (VG98), so the stiffness of a strip is proportional to its width.
 double edgeStiffness(const SheetBody& body, const Vec3d& edge, double area);
 
 /// Returns the interaction radius (m) of the scene's sheets.

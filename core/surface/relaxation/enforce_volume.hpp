@@ -35,7 +35,7 @@ void offsetToVolume(Surface& surface, const Bins& surfelBins, double keepVolume,
 bool volumesDeviate(const Surface& surface, bool start);
 
 /// Lists the offsets SurfaceComponent::isoOffset (m) of liquid surfaces for the iterations. Without them,
-/// each update would draw the surface back to its level.
+/// each update would move the surface back to its level.
 void listIsoOffsets(const Scene& scene, const Surface& surface, std::vector<ComponentIsoOffset>& isoOffset);
 
 /// Records Continuum::surfaceVolumeRatio at the start, and the ratio of the copies: the volume of the

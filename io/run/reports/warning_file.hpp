@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // OUT/warnings.json: the warnings of a run in progress. It is written when they change, so a page that shows
-// the run does not wait for the next summary.
+// the run has them before the next summary.
 #pragma once
 #include <filesystem>
 #include <string>
