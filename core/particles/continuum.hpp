@@ -44,8 +44,8 @@ struct Continuum : Table {
       "key of the current cell, valid from the drift to the sort; shares the memory of "
       "`dissipation`", Rows::Owned};
   Column<u8> clamped{*this, "clamped", "1", Keep::State,
-      "1: fixed in place; 2: driven by its emitter at constant velocity; 3: part of a rigid piece with fixed "
-      "particles"};
+      "1: fixed until it melts; 2: driven by its emitter at constant velocity; 3: part of a rigid piece with "
+      "fixed particles"};
   Column<double> restDensity{*this, "restDensity", "kg/m^3", Keep::State,
       "density at rest, of materials whose phases differ in density"};
   // Fluid.
@@ -163,11 +163,11 @@ struct Continuum : Table {
   Column<u8> exposed{*this, "exposed", "1", Keep::State,
       "1: rigid particle that the initial surface may no longer cover; only with a surface", Rows::Owned};
   Column<Vec3f> faceNormal{*this, "faceNormal", "1", Keep::State,
-      "outward normal of the surface of its rigid piece in the body frame; 0: none (surface_element.hpp)"};
+      "surface of its rigid piece: normal, or vector to a sharp edge (surface_element.hpp); body frame"};
   Column<float> faceOffset{*this, "faceOffset", "m", Keep::State,
       "distance from the surface of its rigid piece; 0: inside, so it has no contacts"};
   Column<float> faceRadius{*this, "faceRadius", "m", Keep::State,
-      "radius of curvature of the surface of its rigid piece; infinite: plane"};
+      "radius of curvature of the surface of its rigid piece; infinite: plane; its offset: an edge"};
   Column<std::uint64_t> contactPartner{*this, "contactPartner", "1", Keep::State,
       "rigid piece or obstacle that pressed on it most in the last step; 0: none", Rows::Owned};
   Column<Vec3d> contactImpulse{*this, "contactImpulse", "N s", Keep::State,

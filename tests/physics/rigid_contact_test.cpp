@@ -53,6 +53,37 @@ TEST(RigidContact, ABallRollsWithoutBumps) {
   }
 }
 
+TEST(RigidContact, AFastBallRollsWithoutLoss) {
+  const double radius = 0.6, speed = 6;
+  RigidRig rig(spacing, 14, 5e-3);  // turns by 0.05 rad in a step
+  rig.setFriction(0.3, 0.5);
+  RigPiece ball = pieceOf(SphereDistance(radius), spacing, 1000);
+  ball.centre = {-12, 0.04, radius};
+  ball.velocity = {speed, 0, 0};
+  ball.angularMomentum = ball.inertia.y * Vec3d{0, speed / radius, 0};
+  rig.pieces.push_back(ball);
+  for (int n = 0; n < 700; n++) {
+    rig.step();
+    EXPECT_NEAR(rig.pieces[0].centre.z, radius, 1e-3 * spacing);
+  }
+  EXPECT_NEAR(rig.pieces[0].velocity.x, speed, 1e-3 * speed);
+  EXPECT_NEAR(rig.pieces[0].centre.y, 0.04, 0.01 * spacing);
+}
+
+TEST(RigidContact, ABoxTopplesBeyondTheAngleOfItsEdge) {
+  const double width = 0.4, height = 1.2, edge = std::atan(width / height);
+  for (const double angle : {0.93 * edge, 1.05 * edge}) {
+    RigidRig rig(spacing, 3, 2e-3);
+    rig.setFriction(1, 0);
+    rig.gravity = along(angle);
+    rig.pieces.push_back(pieceOf(BoxDistance({width, width, height}), spacing, 1000));
+    rig.pieces[0].centre = {0, 0, 0.5 * height};
+    for (int n = 0; n < 1000; n++) rig.step();
+    const bool stands = rig.pieces[0].centre.z > 0.99 * 0.5 * height;
+    EXPECT_EQ(stands, angle < edge) << angle;
+  }
+}
+
 TEST(RigidContact, RollingFrictionSlowsOrHoldsABall) {
   const double radius = 0.3, angle = 0.05;
   for (const double arm : {0.3 * radius * std::tan(angle), 2 * radius * std::tan(angle)}) {
@@ -133,10 +164,11 @@ TEST(RigidContact, TheEnergyOfAPileOnlyFalls) {
     rig.addWall({0, 0.8 * side, 0}, {0, -side, 0});
   }
   rig.setFriction(0.4, 0.2);
+  rig.scene.materials[0].rollingFriction = 0.01;
   for (int i = 0; i < 16; i++) {
     RigPiece p = i % 2 ? pieceOf(BoxDistance({0.6, 0.4, 0.5}), spacing, 1000)
                        : pieceOf(SphereDistance(0.3), spacing, 1000);
-    p.centre = {i & 1 ? -0.4 : 0.4, i & 2 ? -0.4 : 0.4, 0.5 + 0.8 * (i / 4)};
+    p.centre = {i & 1 ? -0.37 : 0.37, i & 2 ? -0.37 : 0.37, 0.5 + 0.8 * (i / 4)};
     p.orientation = rotationBy({0.3 * i, 0.7 * i, 0.1 * i});
     rig.pieces.push_back(p);
   }

@@ -148,6 +148,27 @@ TEST(Rigid, ClampedPiecesStayInPlace) {
   EXPECT_NEAR(sim.ledgerReport().momentumResidual.z, 0, 1e-9);
 }
 
+TEST(Rigid, ClampsThatMeltLetGo) {
+  Scene s = turningBar();
+  s.domain.gravity = {0, 0, -9.81};
+  s.bodies[0].velocity = s.bodies[0].spin = {};
+  s.bodies[0].clamp.push_back(boxOf({0, 0, 0}, {0.1, 1, 1}));
+  s.numerics.maxStep = 1e-3;
+  s.end = 1;
+  Simulation sim(s);
+  ASSERT_TRUE(sim.step());
+  ASSERT_EQ(sim.w.pieces.fixed[0], 1);
+  int clamped = 0;
+  Continuum& p = sim.w.particles;
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (p.clamped[i] == held) p.enthalpy[i] = 1e6, clamped++;
+  ASSERT_GT(clamped, 0);
+  for (int k = 0; k < 100; k++) ASSERT_TRUE(sim.step());
+  EXPECT_EQ(sim.w.counters.melted, clamped);
+  for (std::size_t i = 0; i < p.owned; i++) EXPECT_EQ(p.clamped[i], 0);
+  for (std::size_t k = 0; k < sim.w.pieces.owned; k++) EXPECT_LT(velocityOf(sim.w.pieces, k).z, -0.3);
+}
+
 TEST(Rigid, PeriodicSidesCutNoPiece) {
   Scene s = freeBox(stone(), 0.1, {0.4, 0.4, 0.4});
   s.domain.min = {-0.5, -0.5, -0.5};

@@ -63,17 +63,36 @@ std::optional<ElementContact> contactOf(const PlacedElement& a, const PlacedElem
   return c.aside <= planeReach * spacing ? std::optional(c) : std::nullopt;
 }
 
-std::optional<Vec3d> outermost(const PlacedElement& e, const Vec3d& direction, double spacing) {
-  if (e.round()) return e.position + e.offset * direction;
+PlacedElement placedElement(const SurfaceElement& e, const Vec3d& position, const Quat& orientation) {
+  const Vec3d n = rotated(orientation, wide(e.normal));
+  const double offset = e.offset;
+  if (e.radius > e.offset) return {position, n, offset, static_cast<double>(e.radius), {}};
+  return {position, {}, offset, offset, offset * n};
+}
+
+std::optional<OutermostPoint> outermost(const PlacedElement& e, const Vec3d& direction, double spacing) {
+  // The edge counts before the sphere somewhat outside of the cone of its normals, too: there, faces lie
+  // further out than both.
+  constexpr double cone = 0.9;
+  const auto fixed = [](const Vec3d& x) { return OutermostPoint{x, x, false}; };
+  if (e.round()) {
+    if (dot(e.corner, direction) > cone * e.offset) return fixed(e.position + e.corner);
+    return OutermostPoint{e.position + e.offset * direction, e.position, false};
+  }
   const double cosine = dot(e.normal, direction);
   if (!(cosine > 0)) return {};
-  if (e.plane()) return cosine > facing ? std::optional(e.position + e.offset * e.normal) : std::nullopt;
+  if (e.plane()) {
+    if (cosine > facing) return fixed(e.position + e.offset * e.normal);
+    return {};
+  }
   const Vec3d along = direction - cosine * e.normal;
   const double sine = length(along), most = sphereReach * spacing / e.radius;
-  if (sine <= most) return e.centre() + e.radius * direction;
+  if (sine <= most) return OutermostPoint{e.centre() + e.radius * direction, e.centre(), false};
   if (cosine < facing) return {};
-  return e.centre() +
-         e.radius * (std::sqrt(std::max(0.0, 1 - most * most)) * e.normal + (most / sine) * along);
+  const Vec3d towards = std::sqrt(std::max(0.0, 1 - most * most)) * e.normal + (most / sine) * along;
+  OutermostPoint rim = fixed(e.centre() + e.radius * towards);
+  rim.atRim = true;
+  return rim;
 }
 
 }  // namespace thaw

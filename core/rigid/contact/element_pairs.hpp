@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "core/geometry/basic/signed_distance.hpp"
-#include "core/math/vec3.hpp"
+#include "core/math/quat.hpp"
 #include "core/rigid/contact/surface_element.hpp"
 
 namespace thaw {
@@ -14,6 +14,7 @@ struct PlacedElement {
   Vec3d position{};               ///< m, of the particle
   Vec3d normal{};                 ///< outward unit normal; zero: round
   double offset = 0, radius = 0;  ///< m
+  Vec3d corner{};                 ///< m, from the particle of a round element to its sharp edge; zero: none
 
   bool round() const { return normal == Vec3d{}; }
   bool plane() const { return !round() && radius > 1e30; }
@@ -32,8 +33,18 @@ struct ElementContact {
 /// normal; two spheres touch on their line of centres.
 std::optional<ElementContact> contactOf(const PlacedElement& a, const PlacedElement& b, double spacing);
 
+/// Returns an element at a position, turned from the body frame to that of the scene.
+PlacedElement placedElement(const SurfaceElement& e, const Vec3d& position, const Quat& orientation);
+
+struct OutermostPoint {
+  Vec3d point{};   ///< m
+  Vec3d anchor{};  ///< m, point of the body that stays equally far from a plane there as the body turns: the
+                   ///< centre of curvature, or the point itself
+  bool atRim = false;  ///< the element ends there; another one is likely to be further out
+};
+
 /// Returns the point of an element that is outermost in a direction (unit vector), within its part of the
-/// surface; nothing if it faces away.
-std::optional<Vec3d> outermost(const PlacedElement& e, const Vec3d& direction, double spacing);
+/// surface, on sharp edges where the shape has them; nothing if it faces away.
+std::optional<OutermostPoint> outermost(const PlacedElement& e, const Vec3d& direction, double spacing);
 
 }  // namespace thaw

@@ -26,8 +26,8 @@ bool hasSurface(const Continuum& p, std::size_t i) { return p.piece[i] != notRig
 
 PlacedElement placed(const ContactSearch& s, std::size_t i) {
   const Continuum& p = s.particles;
-  return {p.position[i], rotated(s.pieces.orientation[p.pieceRow[i]], wide(p.faceNormal[i])),
-          static_cast<double>(p.faceOffset[i]), static_cast<double>(p.faceRadius[i])};
+  return placedElement({p.faceNormal[i], p.faceOffset[i], p.faceRadius[i]}, p.position[i],
+                       s.pieces.orientation[p.pieceRow[i]]);
 }
 
 bool isAsleep(const ContactSearch& s, std::size_t i) { return s.pieces.asleep[s.particles.pieceRow[i]] != 0; }
@@ -335,18 +335,27 @@ void findPairs(Search& s) {
   }
 }
 
-void addWallContact(Search& s, std::uint32_t i, std::uint32_t k, const ElementContact& e) {
+/// rebounds: false: there is no restitution. The rim of an element of a ball that rolls closes its gap
+/// without an impact.
+void addWallContact(Search& s, std::uint32_t i, std::uint32_t k, const ElementContact& e, bool rebounds) {
   FoundContact f = startOf(s, i, e);
   RigidContact& c = f.contact;
   const Wall& wall = s.in.walls.list[k];
   const Material& m = s.in.scene.materials[s.in.particles.material[i]];
   c.otherVelocity = wallVelocity(wall, e.point);
   c.friction = std::min(m.friction, wall.properties.friction);
-  c.restitution = std::min(m.restitution, wall.properties.restitution);
+  c.restitution = rebounds ? std::min(m.restitution, wall.properties.restitution) : 0;
   c.rolling = m.rollingFriction;
   if (c.rolling > 0) c.otherSpin = wall.pose.angularVelocity;
   c.keyB = f.partner = obstacleBit | k;
   if (mayClose(s.in, s.motion, c)) s.found.push_back(f);
+}
+
+/// Rise (m) of a point of a piece along a normal in the next step because its path is curved.
+double riseOf(const Search& s, std::uint32_t i, const Vec3d& anchor, const Vec3d& normal) {
+  const PieceMotion& m = s.motion[s.in.particles.pieceRow[i]];
+  const Vec3d arm = minimumImage(anchor - m.centre, s.periods);
+  return 0.5 * s.in.step * s.in.step * dot(normal, cross(m.spin, cross(m.spin, arm)));
 }
 
 void wallContacts(Search& s, std::uint32_t i, std::uint32_t k) {
@@ -359,15 +368,17 @@ void wallContacts(Search& s, std::uint32_t i, std::uint32_t k) {
   const Faces faces = facesWithin(*wall.shape, rest, reach, spacing);
   for (std::size_t f = 0; f < faces.count; f++) {
     Vec3d n = directionFromRest(wall.pose, faces.face[f].normal);
-    const std::optional<Vec3d> point = outermost(a, -n, spacing);
-    if (!point) continue;
-    double gap = faces.face[f].distance + dot(*point - a.position, n);
+    const std::optional<OutermostPoint> outer = outermost(a, -n, spacing);
+    if (!outer) continue;
+    const Vec3d& point = outer->point;
+    double gap = faces.face[f].distance + dot(point - a.position, n);
     if (faces.count == 1) {  // the surface may be curved
       Vec3d gradient;
-      gap = wall.shape->distance(toRest(wall.pose, *point), &gradient);
+      gap = wall.shape->distance(toRest(wall.pose, point), &gradient);
       n = directionFromRest(wall.pose, gradient);
     }
-    addWallContact(s, i, k, {*point - 0.5 * gap * n, n, gap, 0});
+    addWallContact(s, i, k, {point - 0.5 * gap * n, n, gap + riseOf(s, i, outer->anchor, n), 0},
+                   !outer->atRim);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/math/quat.hpp"
+#include "core/rigid/contact/sharp_edge.hpp"
 
 namespace thaw {
 namespace {
@@ -16,8 +17,9 @@ constexpr double thinnest = 1e-6;    // spacings, least offset
 constexpr double deepest = 1.2;      // spacings, largest offset
 constexpr double alongAxis = 0.999;  // component of the normal of a surface along the lattice
 
-SurfaceElement sphereOf(double offset) {
-  return {{}, static_cast<float>(offset), static_cast<float>(offset)};
+SurfaceElement sphereOf(double offset, const Vec3d& edge = {}) {
+  const auto r = static_cast<float>(offset);
+  return {single(edge / static_cast<double>(r)), r, r};
 }
 
 /// Largest principal curvature (1/m) of the level set of the distance through x, by differences along two
@@ -52,7 +54,7 @@ SurfaceElement elementOfShape(const SignedDistance& shape, const Vec3d& x, doubl
   // the central difference over the width on a sphere of radius r is 1 / sqrt(r^2 + width^2)
   const double square = 1 / (curvature * curvature) - width * width;
   const double inner = square > 0 ? std::sqrt(square) : 0, radius = inner + depth;
-  if (inner < sharpRadius * spacing) return sphereOf(offset);
+  if (inner < sharpRadius * spacing) return sphereOf(offset, sharpEdge(shape, x, spacing));
   return {single(normal), static_cast<float>(offset), static_cast<float>(radius)};
 }
 

@@ -10,10 +10,11 @@
 namespace thaw {
 
 struct SurfaceElement {
-  Vec3f normal{};    ///< outward unit normal; zero: an edge, a corner or a lone particle, round in all
-                     ///< directions
+  Vec3f normal{};    ///< outward unit normal. Round elements: vector from the particle to the sharp edge or
+                     ///< corner of the shape, over the offset; zero: none
   float offset = 0;  ///< m, distance of the particle from the surface; 0: inside the piece, no surface
-  float radius = 0;  ///< m, of curvature, through the surface point along the normal; infinite: plane
+  float radius = 0;  ///< m, of curvature, through the surface point along the normal; infinite: plane; the
+                     ///< offset: an edge, a corner or a lone particle, round in all directions
 };
 
 inline constexpr float planeRadius = std::numeric_limits<float>::infinity();

@@ -42,7 +42,7 @@ void readBody(TableReader& r, Body& b, SceneReading& x) {
            "arrangement of its particles. lattice: a cubic lattice. relaxed: jittered and relaxed; the "
            "default if liquid fills a periodic box");
   x.open.packing = !r.has("packing");  // used for a single body only
-  readClamps(r, b.clamp, "particles in one of these at the start are fixed");
+  readClamps(r, b.clamp, "particles in one of these at the start are fixed until they melt");
   if (!r.reading()) return;
   if (b.name.empty()) b.name = "body " + std::to_string(x.scene->bodies.size());
   if (b.shape.kind == ShapeKind::HalfSpace)

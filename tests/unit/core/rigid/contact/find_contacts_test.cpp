@@ -40,15 +40,36 @@ TEST(SurfaceElements, OfABallHaveItsRadiusAndTouchIt) {
 
 TEST(SurfaceElements, OfABoxArePlanesWithRoundEdges) {
   const RigPiece piece = pieceOf(BoxDistance({0.6, 0.6, 0.6}), spacing, 1000);
-  int planes = 0, round = 0;
-  for (const SurfaceElement& e : piece.elements) {
+  int planes = 0, edges = 0, corners = 0;
+  for (std::size_t i = 0; i < piece.points.size(); i++) {
+    const SurfaceElement& e = piece.elements[i];
     if (!(e.offset > 0)) continue;
     EXPECT_FLOAT_EQ(e.offset, 0.05F);
-    if (e.normal == Vec3f{}) round++;
-    else planes += e.radius == planeRadius;
+    planes += e.radius == planeRadius;
+    if (e.radius > e.offset) continue;
+    const Vec3d sharp = piece.points[i] + static_cast<double>(e.offset) * wide(e.normal);
+    int faces = 0;
+    for (int a = 0; a < 3; a++) faces += std::abs(std::abs(sharp[a]) - 0.3) < 1e-6;
+    edges += faces == 2;
+    corners += faces == 3;
   }
   EXPECT_EQ(planes, 6 * 16);
-  EXPECT_EQ(round, 8 + 12 * 4);
+  EXPECT_EQ(edges, 12 * 4);
+  EXPECT_EQ(corners, 8);
+}
+
+TEST(SurfaceElements, OfACylinderHaveSharpRims) {
+  const RigPiece piece = pieceOf(RevolvedDistance(cylinderOutline(0.4, 0.6)), spacing, 1000);
+  int rims = 0;
+  for (std::size_t i = 0; i < piece.points.size(); i++) {
+    const SurfaceElement& e = piece.elements[i];
+    if (!(e.offset > 0) || e.radius > e.offset || e.normal == Vec3f{}) continue;
+    const Vec3d sharp = piece.points[i] + static_cast<double>(e.offset) * wide(e.normal);
+    EXPECT_NEAR(std::abs(sharp.z), 0.3, 0.05 * spacing);
+    EXPECT_NEAR(std::hypot(sharp.x, sharp.y), 0.4, 0.05 * spacing);
+    rims++;
+  }
+  EXPECT_GT(rims, 40);
 }
 
 TEST(SurfaceElements, FromNeighboursAreThoseOfTheLattice) {

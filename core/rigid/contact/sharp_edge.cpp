@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/rigid/contact/sharp_edge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/math/mat3.hpp"
+
+namespace thaw {
+namespace {
+
+constexpr double sameFace = 0.95;        // cosine between normals of one face
+constexpr double leastAngle = 0.3;       // sine between faces, and volume spanned by three normals
+constexpr double farthest = 2;           // spacings
+constexpr double onSurface = 0.05;       // spacings, largest distance of an edge from the surface
+constexpr double widths[] = {0.4, 0.8};  // spacings, distances of samples
+
+/// The plane n y = height through a face; y is relative to x.
+struct Face {
+  Vec3d n{};
+  double height = 0;  ///< m
+};
+
+/// Lists the faces that are nearest to samples inside of the shape around x.
+std::vector<Face> facesAround(const SignedDistance& shape, const Vec3d& x, double spacing) {
+  std::vector<Face> faces;
+  Vec3d n;
+  const double depth = -shape.distance(x, &n);
+  const auto add = [&](const Vec3d& y) {
+    Vec3d normal;
+    const double d = shape.distance(x + y, &normal);
+    if (!(d < 0)) return;
+    for (const Face& f : faces)
+      if (dot(f.n, normal) > sameFace) return;
+    faces.push_back({normal, dot(normal, y) - d});
+  };
+  // samples need room inside
+  const Vec3d base = -std::max(0.0, 0.5 * spacing - depth) * n;
+  for (const double w : widths)
+    for (int k = 0; k < 27; k++) {
+      const Vec3d e{k % 3 - 1.0, k / 3 % 3 - 1.0, k / 9 - 1.0};
+      add(base + (w * spacing) * normalized(e));
+    }
+  return faces;
+}
+
+/// Point nearest to the origin on the line where two planes meet.
+Vec3d meet(const Face& a, const Face& b) {
+  const double c = dot(a.n, b.n), d = 1 - c * c;
+  return ((a.height - c * b.height) / d) * a.n + ((b.height - c * a.height) / d) * b.n;
+}
+
+/// Point where three planes meet.
+Vec3d meet(const Face& a, const Face& b, const Face& c) {
+  return inverse(Mat3d{{a.n, b.n, c.n}}) * Vec3d{a.height, b.height, c.height};
+}
+
+}  // namespace
+
+Vec3d sharpEdge(const SignedDistance& shape, const Vec3d& x, double spacing) {
+  const std::vector<Face> f = facesAround(shape, x, spacing);
+  const auto lies = [&](const Vec3d& y) {
+    return length(y) < farthest * spacing && std::abs(shape.distance(x + y, nullptr)) < onSurface * spacing;
+  };
+  for (std::size_t a = 0; a < f.size(); a++)
+    for (std::size_t b = a + 1; b < f.size(); b++)
+      for (std::size_t c = b + 1; c < f.size(); c++) {
+        if (std::abs(dot(f[a].n, cross(f[b].n, f[c].n))) < leastAngle) continue;
+        if (const Vec3d y = meet(f[a], f[b], f[c]); lies(y)) return y;
+      }
+  for (std::size_t a = 0; a < f.size(); a++)
+    for (std::size_t b = a + 1; b < f.size(); b++) {
+      if (length(cross(f[a].n, f[b].n)) < leastAngle) continue;
+      if (const Vec3d y = meet(f[a], f[b]); lies(y)) return y;
+    }
+  return {};
+}
+
+}  // namespace thaw
