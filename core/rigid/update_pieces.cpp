@@ -46,6 +46,7 @@ struct NewPieces {
 struct FormerMotion {
   Vec3d spin{}, turning{};  ///< rad/s, rad/s^2
   Vec3d spinChange{};       ///< rad/s, by the pressure at the start of the next step
+  double contactLoad = 0;   ///< N, of the piece, over the number of its particles
 };
 
 /// Angular momentum of particles that left their pieces, about their own centres. Their pieces keep it.
@@ -64,7 +65,8 @@ FormerMotion formerMotion(const RigidView& v, std::size_t i) {
   const std::uint32_t row = p.piece[i] == notRigid ? noPieceRow : v.pieces.rowOf(p.piece[i]);
   if (row == noPieceRow) return {};
   return {spinOf(v.pieces, row, v.pieces.angularMomentum[row]), angularAcceleration(v.pieces, row),
-          spinOf(v.pieces, row, v.pieces.pressureTwist[row])};
+          spinOf(v.pieces, row, v.pieces.pressureTwist[row]),
+          v.pieces.contactLoad[row] / static_cast<double>(v.pieces.count[row])};
 }
 
 /// Returns the pieces whose sets of particles changed, and those that particles left. A set changed if its
@@ -240,14 +242,15 @@ void findCentres(const RigidView& v, NewPieces& n, PieceExchange& exchange) {
   }
 }
 
-constexpr std::size_t motionSums = 26;  // inertia 6, momentum 3, angular momentum 3, force 3, torque 3,
-                                        // kinetic energy, clamped particles
+constexpr std::size_t motionSums = 27;  // inertia 6, momentum 3, angular momentum 3, force 3, torque 3,
+                                        // kinetic energy, clamped particles, impulse of pressure 3, its
+                                        // angular impulse 3, contact load
 
 /// Motion of a particle about its own centre: that of its former piece, or of its body at the start.
 FormerMotion ownMotion(const RigidView& v, std::size_t i, bool atStart) {
   if (!atStart) return formerMotion(v, i);
   const std::size_t body = v.particles.body[i];
-  return body < v.scene.bodies.size() ? FormerMotion{v.scene.bodies[body].spin, {}, {}} : FormerMotion{};
+  return body < v.scene.bodies.size() ? FormerMotion{v.scene.bodies[body].spin, {}, {}, 0} : FormerMotion{};
 }
 
 /// Adds a particle to the sums of its piece. extra: angular momentum (kg m^2/s) that it brings along.
@@ -274,6 +277,7 @@ void addMotion(const RigidView& v, std::size_t i, const Vec3d& lever, const Form
   }
   sums[18].add(0.5 * (m * dot(p.velocity[i], p.velocity[i]) + own * dot(former.spin, former.spin)));
   if (p.clamped.active && (p.clamped[i] == held || p.clamped[i] == driven)) sums[19].add(1);
+  sums[26].add(former.contactLoad);
   if (!p.pressureImpulse.active) return;
   const Vec3d pressure = p.pressureImpulse[i] * m, twist = cross(r, pressure) + former.spinChange * own;
   for (int a = 0; a < 3; a++) {
@@ -288,7 +292,7 @@ Vec3d vectorOf(const ExactSum* sums) { return {sums[0].value(), sums[1].value(),
 void setRow(Pieces& p, std::size_t row, const NewPieces& n, std::size_t k, const ExactSum* sums) {
   p.id[row] = n.ids[k];
   p.count[row] = n.count[k];
-  p.contactLoad[row] = 0;
+  p.contactLoad[row] = sums[26].value();
   p.restTime[row] = 0;
   p.asleep[row] = 0;
   p.mass[row] = n.mass[k];
@@ -352,7 +356,11 @@ void placeParticles(const RigidView& v, const NewPieces& n, std::span<const std:
     p.velocity[i] = velocityOf(v.pieces, row) +
                     cross(spinOf(v.pieces, row, v.pieces.angularMomentum[row]), lever);
     if (!p.clamped.active) return;
-    if (v.pieces.fixed[row] && p.clamped[i] == 0) p.clamped[i] = heldByPiece;
+    if (v.pieces.fixed[row] && p.clamped[i] == 0) {
+      p.clamped[i] = heldByPiece;
+      for (int a = 0; a < 3; a++)  // the clamps balance its force in the next half kick, too
+        v.ledger.wallForce[a].add(-p.mass[i] * p.acceleration[i][a]);
+    }
     if (!v.pieces.fixed[row] && p.clamped[i] == heldByPiece) p.clamped[i] = 0;
   });
 }
