@@ -56,6 +56,7 @@ void activatePieceFields(World& w) {
   turnOn(p, m.rigidify, {&p.restTime, &p.constraintForce});
   turnOn(p, !m.rigidify, {&p.faceNormal, &p.faceOffset, &p.faceRadius, &p.contactPartner, &p.contactImpulse});
   turnOn(p, !m.rigidify && m.surface, {&p.exposed});
+  turnOn(p, m.pieceWelding, {&p.touchTime});
 }
 
 }  // namespace
