@@ -171,8 +171,8 @@ struct Continuum : Table {
   Column<float> faceRadius{*this, "faceRadius", "m", Keep::State,
       "radius of curvature of the surface of its rigid piece; infinite: plane"};
   Column<float> touchTime{*this, "touchTime", "s", Keep::State,
-      "time for which a hot surface particle has touched another hot piece of its material; -1: at a fracture "
-      "that has been hot since; only with welding of rigid pieces"};
+      "time for which a hot surface particle has touched another hot piece of its material; -1: at a "
+      "fracture that has been hot since; only with welding of rigid pieces"};
   Column<std::uint64_t> contactPartner{*this, "contactPartner", "1", Keep::State,
       "rigid piece or obstacle that pressed on it most in the last step; 0: none", Rows::Owned};
   Column<Vec3d> contactImpulse{*this, "contactImpulse", "N s", Keep::State,
