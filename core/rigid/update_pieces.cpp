@@ -159,7 +159,7 @@ bool isFar(const RigidView& v, const Vec3d& place, const Vec3d& reference) {
   return false;
 }
 
-constexpr std::size_t sectors = 64;  // of a periodic axis
+constexpr std::size_t sectors = 64;  // along each periodic axis
 
 std::size_t sectorOf(const CellGrid& g, const Vec3d& x, int a) {
   const double part = (x[a] - g.origin[a]) / g.period[a] * static_cast<double>(sectors);
