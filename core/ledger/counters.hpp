@@ -39,6 +39,7 @@ struct Counters {
   std::int64_t contactUnfinished = 0;  ///< steps without convergence; on the first rank only
   std::int64_t impactsUnfinished = 0;  ///< elastic solves of impacts without convergence; as above
   std::int64_t brokenPieces = 0;       ///< rigid pieces that broke; on the first rank only
+  std::int64_t weldedPieces = 0;       ///< rigid pieces that joined others; on the first rank only
 };
 
 /// Iterations of the incompressible solver in the last step, equal on all ranks; not part of the state.

@@ -8,36 +8,38 @@
 namespace thaw {
 namespace {
 
-bool connected(const RigidView& v, std::size_t i, std::size_t j, bool atStart) {
+bool connected(const RigidView& v, std::uint32_t i, std::uint32_t j, bool atStart,
+               const SpecialPairs& special) {
   const Continuum& p = v.particles;
   const Vec3d d = p.position[j] - p.position[i];
   const double spacing = v.scene.spacing, distance2 = dot(d, d);
   const auto within = [&](double reach) { return distance2 < reach * spacing * (reach * spacing); };
   if (atStart) return p.body[i] == p.body[j] && within(connectedDistance);
   if (p.piece[i] == notRigid || p.piece[j] == notRigid) return within(joinDistance);
-  return p.piece[i] == p.piece[j] && within(connectedDistance);
+  if (p.piece[i] != p.piece[j]) return special.welded && special.welded(i, j);
+  return within(connectedDistance);
 }
 
 /// Joins connected rows, owned ones and ghosts.
-DisjointSets joinRows(const RigidView& v, bool atStart, const PartedRows& parted) {
+DisjointSets joinRows(const RigidView& v, bool atStart, const SpecialPairs& special) {
   Continuum& p = v.particles;
   DisjointSets sets(p.size());
   eachNear(v.cells, p.owned, v.cells, [&](std::uint32_t i, std::uint32_t j) {
     if (p.pieceLabel[i] == notRigid || p.pieceLabel[j] == notRigid || i == j) return;
     if (j < i && j < p.owned) return;  // seen from j
-    if (connected(v, i, j, atStart) && !(parted && parted(i, j))) sets.join(i, j);
+    if (connected(v, i, j, atStart, special) && !(special.parted && special.parted(i, j))) sets.join(i, j);
   });
   return sets;
 }
 
 }  // namespace
 
-void labelPieces(const RigidView& v, const Halos& halos, bool atStart, const PartedRows& parted) {
+void labelPieces(const RigidView& v, const Halos& halos, bool atStart, const SpecialPairs& special) {
   Continuum& p = v.particles;
   for (std::size_t i = 0; i < p.owned; i++)
     p.pieceLabel[i] = belongsToPiece(v.scene, p, i) ? p.id[i] + 1 : notRigid;
   refresh(halos.cells, p, ColumnList{&p.pieceLabel, &p.piece}).wait();
-  DisjointSets sets = joinRows(v, atStart, parted);
+  DisjointSets sets = joinRows(v, atStart, special);
   spreadLabels({p.pieceLabel.data(), p.size()}, p.owned, sets, halos.all,
                [&] { refresh(halos.cells, p, ColumnList{&p.pieceLabel}).wait(); });
 }

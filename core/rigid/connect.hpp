@@ -19,13 +19,16 @@ inline bool belongsToPiece(const Scene& scene, const Continuum& p, std::size_t i
   return p.phase[i] == Solid && scene.materials[p.material[i]].isRigid();
 }
 
-/// Returns true for two rows of a piece that a break separates.
-using PartedRows = std::function<bool(std::uint32_t, std::uint32_t)>;
+/// Pairs of rows that labelPieces treats in another way; null: none. The order of the two does not matter.
+struct SpecialPairs {
+  std::function<bool(std::uint32_t, std::uint32_t)> parted{};  ///< a break separates the two
+  std::function<bool(std::uint32_t, std::uint32_t)> welded{};  ///< rows of two pieces that weld
+};
 
 /// Sets Continuum::pieceLabel of owned particles that belong to pieces to 1 + the smallest id of all
 /// particles connected to them, and of others to 0. Connected are particles of one piece (at the start: of
-/// one body) and particles in touch of which one has no piece yet. parted: null if no piece breaks.
-/// Requires: ghosts. Collective.
-void labelPieces(const RigidView& view, const Halos& halos, bool atStart, const PartedRows& parted = nullptr);
+/// one body), particles in touch of which one has no piece yet, and welded ones. Requires: ghosts.
+/// Collective.
+void labelPieces(const RigidView& view, const Halos& halos, bool atStart, const SpecialPairs& special = {});
 
 }  // namespace thaw

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/rigid/surface_elements.hpp"
 
+#include <cmath>
 #include <vector>
 
 #include "core/neighbours/rows_around.hpp"
@@ -40,13 +41,26 @@ void look(const RigidView& v, std::size_t i, std::span<const RowSpan> ranges, Su
     }
 }
 
+/// Returns the image of x (m) across periodic sides nearest to the middle of a shape.
+Vec3d imageIn(const SignedDistance& shape, const Domain& d, Vec3d x) {
+  const auto box = shape.bounds();
+  for (int a = 0; a < 3; a++) {
+    const double period = d.max[a] - d.min[a], middle = 0.5 * (box.min[a] + box.max[a]);
+    if (d.side[a][0] == Side::Periodic && std::isfinite(middle))
+      x[a] -= period * std::round((x[a] - middle) / period);
+  }
+  return x;
+}
+
 }  // namespace
 
 void elementsOfShapes(const Scene& scene, std::span<const std::shared_ptr<const SignedDistance>> bodyShapes,
                       Continuum& p) {
   for (std::size_t i = 0; i < p.owned; i++)
     if (p.piece[i] != notRigid && p.body[i] < bodyShapes.size())
-      setElement(p, i, elementOfShape(*bodyShapes[p.body[i]], p.position[i], scene.spacing));
+      setElement(p, i,
+                 elementOfShape(*bodyShapes[p.body[i]],
+                                imageIn(*bodyShapes[p.body[i]], scene.domain, p.position[i]), scene.spacing));
 }
 
 void turnElement(Continuum& p, std::size_t i, const Quat& rotation) {

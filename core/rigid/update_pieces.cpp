@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
+#include <optional>
 
 #include "core/halo/exchange.hpp"
 #include "core/math/hash_random.hpp"
@@ -30,7 +32,7 @@ double inertiaOf(const Continuum& p, const Scene& scene, std::size_t i) {
 struct NewPieces {
   std::vector<std::uint64_t> ids;
   std::vector<std::uint64_t> count;
-  std::vector<Vec3d> reference;  ///< m, a particle of each
+  std::vector<Vec3d> reference;  ///< m, in or near each
   std::vector<Vec3d> centre;     ///< m
   std::vector<double> mass;      ///< kg
 
@@ -44,6 +46,7 @@ struct NewPieces {
 struct FormerMotion {
   Vec3d spin{}, turning{};  ///< rad/s, rad/s^2
   Vec3d spinChange{};       ///< rad/s, by the pressure at the start of the next step
+  double contactLoad = 0;   ///< N, of the piece, over the number of its particles
 };
 
 /// Angular momentum of particles that left their pieces, about their own centres. Their pieces keep it.
@@ -62,7 +65,8 @@ FormerMotion formerMotion(const RigidView& v, std::size_t i) {
   const std::uint32_t row = p.piece[i] == notRigid ? noPieceRow : v.pieces.rowOf(p.piece[i]);
   if (row == noPieceRow) return {};
   return {spinOf(v.pieces, row, v.pieces.angularMomentum[row]), angularAcceleration(v.pieces, row),
-          spinOf(v.pieces, row, v.pieces.pressureTwist[row])};
+          spinOf(v.pieces, row, v.pieces.pressureTwist[row]),
+          v.pieces.contactLoad[row] / static_cast<double>(v.pieces.count[row])};
 }
 
 /// Returns the pieces whose sets of particles changed, and those that particles left. A set changed if its
@@ -140,8 +144,73 @@ template<class Use> void eachChanged(const RigidView& v, const NewPieces& n, Use
   }
 }
 
-/// Sets the position of the particle of the smallest id in each piece, of which periodic images are taken.
-void findReferences(const RigidView& v, NewPieces& n, PieceExchange& exchange) {
+/// Position (m) of a particle together with its piece.
+Vec3d placeIn(const RigidView& v, const NewPieces& n, std::size_t i, std::size_t k) {
+  return n.reference[k] + minimumImage(v.particles.position[i] - n.reference[k], periodsOf(v.grid));
+}
+
+/// Returns true if a particle may be as far from the reference of its piece as half of a periodic domain. A
+/// connected piece that reaches further has such particles.
+bool isFar(const RigidView& v, const Vec3d& place, const Vec3d& reference) {
+  for (int a = 0; a < 3; a++)
+    if (v.grid.periodic[a] &&
+        std::abs(place[a] - reference[a]) > 0.5 * v.grid.period[a] - connectedDistance * v.scene.spacing)
+      return true;
+  return false;
+}
+
+constexpr std::size_t sectors = 64;  // along each periodic axis
+
+std::size_t sectorOf(const CellGrid& g, const Vec3d& x, int a) {
+  const double part = (x[a] - g.origin[a]) / g.period[a] * static_cast<double>(sectors);
+  return static_cast<std::size_t>(std::clamp(part, 0.0, static_cast<double>(sectors - 1)));
+}
+
+/// Returns the middle (m) of the part of a periodic axis outside of the widest gap. count: particles of each
+/// sector. Returns nothing without a gap of at least `least` (m).
+std::optional<double> middleOf(const CellGrid& g, int a, std::span<const std::int64_t> count, double least) {
+  std::size_t widest = 0, end = 0;  // number of empty sectors, and the first sector after them
+  for (std::size_t run = 0, s = 0; s < 2 * sectors; s++) {
+    run = count[s % sectors] == 0 ? run + 1 : 0;
+    if (run <= widest) continue;
+    widest = run;
+    end = s + 1;
+  }
+  if (static_cast<double>(widest) / static_cast<double>(sectors) * g.period[a] < least) return {};
+  const double middle = (static_cast<double>(end) + 0.5 * static_cast<double>(sectors - widest)) /
+                        static_cast<double>(sectors);
+  return g.origin[a] + g.period[a] * (middle - std::floor(middle));
+}
+
+/// Moves references to the middle of their pieces, where some piece reaches across half of a periodic domain.
+void centreReferences(const RigidView& v, NewPieces& n, PieceExchange& exchange, Reducer& all) {
+  double far = 0;
+  eachChanged(v, n, [&](std::size_t i, std::size_t k) {
+    if (isFar(v, placeIn(v, n, i, k), n.reference[k])) far = 1;
+  });
+  all.maximum({&far, 1});
+  if (!(far > 0)) return;
+  std::vector<std::int64_t> count(3 * sectors * n.ids.size(), 0);
+  eachChanged(v, n, [&](std::size_t i, std::size_t k) {
+    for (int a = 0; a < 3; a++)
+      if (v.grid.periodic[a])
+        count[(3 * k + static_cast<std::size_t>(a)) * sectors +
+              sectorOf(v.grid, v.particles.position[i], a)]++;
+  });
+  exchange.sum(count, 3 * sectors);
+  for (std::size_t k = 0; k < n.ids.size(); k++)
+    for (int a = 0; a < 3; a++) {
+      if (!v.grid.periodic[a]) continue;
+      const std::span<const std::int64_t> of(&count[(3 * k + static_cast<std::size_t>(a)) * sectors],
+                                             sectors);
+      n.reference[k][a] =
+          middleOf(v.grid, a, of, connectedDistance * v.scene.spacing).value_or(n.reference[k][a]);
+    }
+}
+
+/// Sets the reference of each piece, of which periodic images are taken: the particle of the smallest id, or
+/// the middle of a long piece.
+void findReferences(const RigidView& v, NewPieces& n, PieceExchange& exchange, Reducer& all) {
   std::vector<std::int64_t> words(3 * n.ids.size(), 0);
   eachChanged(v, n, [&](std::size_t i, std::size_t k) {
     if (v.particles.id[i] + 1 != n.ids[k]) return;
@@ -152,11 +221,7 @@ void findReferences(const RigidView& v, NewPieces& n, PieceExchange& exchange) {
   n.reference.resize(n.ids.size());
   for (std::size_t k = 0; k < words.size(); k++)
     n.reference[k / 3][static_cast<int>(k % 3)] = std::bit_cast<double>(words[k]);
-}
-
-/// Position (m) of a particle together with its piece.
-Vec3d placeIn(const RigidView& v, const NewPieces& n, std::size_t i, std::size_t k) {
-  return n.reference[k] + minimumImage(v.particles.position[i] - n.reference[k], periodsOf(v.grid));
+  if (v.grid.periodic[0] || v.grid.periodic[1] || v.grid.periodic[2]) centreReferences(v, n, exchange, all);
 }
 
 void findCentres(const RigidView& v, NewPieces& n, PieceExchange& exchange) {
@@ -177,14 +242,15 @@ void findCentres(const RigidView& v, NewPieces& n, PieceExchange& exchange) {
   }
 }
 
-constexpr std::size_t motionSums = 26;  // inertia 6, momentum 3, angular momentum 3, force 3, torque 3,
-                                        // kinetic energy, clamped particles
+constexpr std::size_t motionSums = 27;  // inertia 6, momentum 3, angular momentum 3, force 3, torque 3,
+                                        // kinetic energy, clamped particles, impulse of pressure 3, its
+                                        // angular impulse 3, contact load
 
 /// Motion of a particle about its own centre: that of its former piece, or of its body at the start.
 FormerMotion ownMotion(const RigidView& v, std::size_t i, bool atStart) {
   if (!atStart) return formerMotion(v, i);
   const std::size_t body = v.particles.body[i];
-  return body < v.scene.bodies.size() ? FormerMotion{v.scene.bodies[body].spin, {}, {}} : FormerMotion{};
+  return body < v.scene.bodies.size() ? FormerMotion{v.scene.bodies[body].spin, {}, {}, 0} : FormerMotion{};
 }
 
 /// Adds a particle to the sums of its piece. extra: angular momentum (kg m^2/s) that it brings along.
@@ -211,6 +277,7 @@ void addMotion(const RigidView& v, std::size_t i, const Vec3d& lever, const Form
   }
   sums[18].add(0.5 * (m * dot(p.velocity[i], p.velocity[i]) + own * dot(former.spin, former.spin)));
   if (p.clamped.active && (p.clamped[i] == held || p.clamped[i] == driven)) sums[19].add(1);
+  sums[26].add(former.contactLoad);
   if (!p.pressureImpulse.active) return;
   const Vec3d pressure = p.pressureImpulse[i] * m, twist = cross(r, pressure) + former.spinChange * own;
   for (int a = 0; a < 3; a++) {
@@ -225,7 +292,7 @@ Vec3d vectorOf(const ExactSum* sums) { return {sums[0].value(), sums[1].value(),
 void setRow(Pieces& p, std::size_t row, const NewPieces& n, std::size_t k, const ExactSum* sums) {
   p.id[row] = n.ids[k];
   p.count[row] = n.count[k];
-  p.contactLoad[row] = 0;
+  p.contactLoad[row] = sums[26].value();
   p.restTime[row] = 0;
   p.asleep[row] = 0;
   p.mass[row] = n.mass[k];
@@ -289,7 +356,11 @@ void placeParticles(const RigidView& v, const NewPieces& n, std::span<const std:
     p.velocity[i] = velocityOf(v.pieces, row) +
                     cross(spinOf(v.pieces, row, v.pieces.angularMomentum[row]), lever);
     if (!p.clamped.active) return;
-    if (v.pieces.fixed[row] && p.clamped[i] == 0) p.clamped[i] = heldByPiece;
+    if (v.pieces.fixed[row] && p.clamped[i] == 0) {
+      p.clamped[i] = heldByPiece;
+      for (int a = 0; a < 3; a++)  // the clamps balance its force in the next half kick, too
+        v.ledger.wallForce[a].add(-p.mass[i] * p.acceleration[i][a]);
+    }
     if (!v.pieces.fixed[row] && p.clamped[i] == heldByPiece) p.clamped[i] = 0;
   });
 }
@@ -319,7 +390,7 @@ void remakePieces(const RigidView& v, const Halos& halos, bool atStart) {
   if (atStart) std::fill_n(v.particles.piece.data(), v.particles.owned, notRigid);
   NewPieces n = findChanged(v, halos.all);
   RankPieceExchange exchange(halos.all, n.ids, nullptr);
-  findReferences(v, n, exchange);
+  findReferences(v, n, exchange, halos.all);
   findCentres(v, n, exchange);
   const LeftSpins left = leftSpins(v, halos.all);
   std::vector<ExactSum> sums(motionSums * n.ids.size());

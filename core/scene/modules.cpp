@@ -83,6 +83,8 @@ void findHeat(Finder& f) {
   for (const Material& m : s.materials) {
     if (!m.evaporation.empty()) f.on(f.m.heat, "heat", "material " + quoted(m.name) + " evaporates");
     if (m.heatSource != 0) f.on(f.m.heat, "heat", "material " + quoted(m.name) + " has a heat source");
+    if (m.weldTemperature < never)
+      f.on(f.m.heat, "heat", "pieces of material " + quoted(m.name) + " weld where they are hot");
     if (m.convection > 0 || m.emissivity > 0) {
       f.on(f.m.heat, "heat", "material " + quoted(m.name) + " exchanges heat with the ambient");
       f.on(f.m.surfaceHeat, "surface heat", "material " + quoted(m.name) + " has convection or emissivity");
@@ -229,6 +231,9 @@ bool findRigid(Finder& f, const std::vector<bool>& used) {
       f.on(m.rollingFriction, "rolling friction", "material " + quoted(x.name) + " has a `rolling_friction`");
     if (x.isRigid() && x.strength < never)
       f.on(m.breaking, "breaking of rigid pieces", "material " + quoted(x.name) + " has a strength");
+    if (x.isRigid() && x.weldTemperature < never)
+      f.on(m.pieceWelding, "welding of rigid pieces",
+           "material " + quoted(x.name) + " has a `weld_temperature`");
   }
   if (elastic && s.numerics.rigidify > 0) {
     f.on(m.rigidify, "rigid parts of elastic solids", "`numerics.rigidify` is given");

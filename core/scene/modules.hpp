@@ -51,6 +51,7 @@ struct Modules {
   bool pieceSleep = false;          ///< rigid pieces at rest sleep (core/rigid/sleeping_pieces.hpp)
   bool rollingFriction = false;     ///< rigid pieces have rolling friction (core/rigid/contact/rolling.hpp)
   bool breaking = false;            ///< rigid pieces break in impacts (core/rigid/breaking/)
+  bool pieceWelding = false;        ///< hot rigid pieces that touch join (core/rigid/welding/)
   bool neighbours = false;          ///< some sum over unbonded neighbours
   bool surface = false;             ///< surfels on the continuum bodies
   bool emitters = false;

@@ -69,6 +69,8 @@ struct Material {
   double impactModulus = 0;         // Pa, Young's modulus of rigid pieces that break, for their impacts
   double damping = 0;               // 1/s, decay rate of velocity differences between bonded particles
   bool weld = false;                // solids of this material weld where they touch
+  double weldTemperature = never;   // K, above which touching rigid pieces join; never: they do not
+  double weldTime = 0;              // s, for which they must touch
   double friction = 0.3;            // 1, Coulomb, between separate solids
   double rollingFriction = 0;       // m, largest moment over the normal force at a contact of rigid pieces
   double restitution = 0.5;         // 1, of contacts between separate solids

@@ -144,6 +144,17 @@ void addUnusedSolidSettings(const Scene& s, std::vector<std::string>& lines) {
                       at(m.where), m.name));
 }
 
+/// Warns of pairs of materials that weld, but not to each other.
+void addUnjoinedSolids(const Scene& s, std::vector<std::string>& lines) {
+  for (const Material& rigid : s.materials)
+    for (const Material& other : s.materials)
+      if (rigid.isRigid() && rigid.weldTemperature < never && other.weld)
+        lines.push_back(fmt::format(
+            "{}: material '{}': `weld_temperature` joins its rigid pieces to each other only, not "
+            "to elastic solids of '{}', whose `weld` joins elastic solids only",
+            at(rigid.where), rigid.name, other.name));
+}
+
 /// Warns of drops in pictures of a scene without a surface.
 void addUnusedSpray(const Scene& s, std::vector<std::string>& lines) {
   if (!s.surface.on && s.output.spray != Output().spray)
@@ -240,6 +251,7 @@ std::vector<std::string> sceneWarnings(const Scene& s) {
                                 at(s.output.fieldsWhere), surfaceVelocityField));
   addRareFrames(s, lines);
   addUnusedSolidSettings(s, lines);
+  addUnjoinedSolids(s, lines);
   addUnusedSpray(s, lines);
   addUnusedMaterials(s, lines);
   addColdTemperatures(s, lines);

@@ -98,4 +98,54 @@ TEST(Rigid, BreakingAndSleepHaveTheSameBitsOnAnyNumberOfRanks) {
   EXPECT_EQ(alone.particles, together.particles);
 }
 
+/// A row of hot bricks, longer than half of a periodic domain, on a plate that vanishes. Two of them slide
+/// into the others. The last brick is cold.
+Scene rowOfBricks() {
+  constexpr int bricks = 8, sliding = 5;  // from this one on
+  Scene s = emptyScene(0.1, {-2, -0.5, -0.5}, {2, 0.5, 1});
+  s.domain.gravity = {0, 0, -9.81};
+  s.domain.side[0] = {Side::Periodic, Side::Periodic};
+  Material iron = stone(7800);
+  iron.weldTemperature = 1000;
+  iron.weldTime = 0.01;
+  iron.restitution = 0;
+  iron.heatCapacity = {450, 450};
+  iron.conductivity = {50, 50};
+  s.materials.push_back(iron);
+  for (int k = 0; k < bricks; k++) {
+    const bool slides = k == sliding || k == sliding + 1, last = k == bricks - 1;
+    const double aside = slides ? 0.02 : 0.1 * last, place = 0.3 + 0.4 * k + aside,
+                 x = place > 1.9 ? place - 4 : place;
+    Body& b = addBox(s, {x, -0.1, 0}, {x + 0.4, 0.1, 0.2});
+    b.temperature = last ? 900 : 1100;
+    b.velocity.x = slides ? -0.5 : 0;
+  }
+  s.obstacles.emplace_back();
+  s.obstacles.back().name = "plate";
+  s.obstacles.back().shape = boxOf({-2, -0.5, -0.3}, {2, 0.5, 0});
+  s.obstacles.back().until = 0.08;
+  s.numerics.maxStep = 2e-3;
+  return s;
+}
+
+TEST(Rigid, WeldsHaveTheSameBitsOnAnyNumberOfRanks) {
+  const auto run = [](MPI_Comm group, std::int64_t& welded) {
+    return runRebalanced(
+        group, rowOfBricks(), 60, [](const World&) {},
+        [&](const World& w, Reducer& all) {
+          welded = w.counters.weldedPieces;
+          all.sum({&welded, 1});
+          return hashOf(w, all);
+        });
+  };
+  std::int64_t weldedAlone = 0, weldedTogether = 0;
+  const StateHash alone = run(MPI_COMM_SELF, weldedAlone), together = run(MPI_COMM_WORLD, weldedTogether);
+  EXPECT_EQ(weldedAlone, 6);
+  EXPECT_EQ(weldedTogether, 6);
+  EXPECT_EQ(alone.pieceCount, 2);
+  EXPECT_EQ(together.pieceCount, 2);
+  EXPECT_EQ(alone.pieces, together.pieces);
+  EXPECT_EQ(alone.particles, together.particles);
+}
+
 }  // namespace

@@ -186,6 +186,24 @@ TEST(Rigid, PeriodicSidesCutNoPiece) {
   EXPECT_NEAR(sim.ledgerReport().now.kinetic, energy, 1e-12 * energy);
 }
 
+TEST(Rigid, PeriodicDomainsHoldPiecesLongerThanHalfOfThem) {
+  Scene s = freeBox(stone(1000), 0.1, {1.4, 0.2, 0.2});
+  s.domain.min = {-1, -1, -1};
+  s.domain.max = {1, 1, 1};
+  s.domain.side[0] = {Side::Periodic, Side::Periodic};
+  s.bodies[0].shape.move = {0.7, 0, 0};
+  Simulation sim(s);
+  const Pieces& p = sim.w.pieces;
+  ASSERT_EQ(p.owned, 1u);
+  EXPECT_NEAR(p.centre[0].x, 0.7, 1e-9);
+  const double mass = 1000 * 1.4 * 0.2 * 0.2;
+  const Vec3d exact{mass * 2 * 0.2 * 0.2 / 12, mass * (1.4 * 1.4 + 0.2 * 0.2) / 12,
+                    mass * (1.4 * 1.4 + 0.2 * 0.2) / 12};
+  double sum = 0, sumExact = 0;  // the principal axes have any order
+  for (int a = 0; a < 3; a++) sum += p.inertia[0][a], sumExact += exact[a];
+  EXPECT_NEAR(sum, sumExact, 1e-9 * sumExact);
+}
+
 TEST(Rigid, SnapshotsContinueWithTheSameBits) {
   const Scene s = waxPieces();
   Simulation straight(s), resumed(s);

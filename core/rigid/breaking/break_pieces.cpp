@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/math/sym_eigen.hpp"
+#include "core/neighbours/rows_around.hpp"
 #include "core/rigid/breaking/elastic_solve.hpp"
 #include "core/rigid/breaking/impacts.hpp"
 #include "core/rigid/connect.hpp"
@@ -93,6 +94,20 @@ void chooseCuts(const RigidView& v, std::span<const std::uint32_t> hit, Cuts& cu
   }
 }
 
+/// Marks the particles on both sides of the cuts, which do not weld while they are hot. ahead: side of each
+/// row.
+void markFractures(const RigidView& v, std::span<const std::uint8_t> ahead) {
+  Continuum& p = v.particles;
+  if (!p.touchTime.active) return;
+  const double reach = connectedDistance * v.scene.spacing;
+  eachNear(v.cells, p.owned, v.cells, [&](std::uint32_t i, std::uint32_t j) {
+    const Vec3d to = p.position[j] - p.position[i];
+    if (p.piece[i] != notRigid && p.piece[i] == p.piece[j] && ahead[i] != ahead[j] &&
+        dot(to, to) < reach * reach)
+      p.touchTime[i] = atFracture;
+  });
+}
+
 /// Splits pieces along their cuts.
 void splitPieces(const RigidView& v, const Halos& halos, const Cuts& cuts) {
   const Continuum& p = v.particles;
@@ -105,7 +120,9 @@ void splitPieces(const RigidView& v, const Halos& halos, const Cuts& cuts) {
   }
   std::int64_t broken = 0;
   for (std::size_t k = 0; k < cuts.size(); k++) broken += cuts[k] && v.pieces.leads[k];
-  labelPieces(v, halos, false, [&](std::uint32_t i, std::uint32_t j) { return ahead[i] != ahead[j]; });
+  labelPieces(v, halos, false,
+              {.parted = [&](std::uint32_t i, std::uint32_t j) { return ahead[i] != ahead[j]; }});
+  markFractures(v, ahead);
   remakePieces(v, halos, false);
   linkPieces(v, halos, PieceUsers::AndGhosts);
   halos.all.sum({&broken, 1});

@@ -7,7 +7,6 @@
 #include <tuple>
 
 #include "core/particles/row_span.hpp"
-#include "core/rigid/contact/element_pairs.hpp"
 #include "core/rigid/contact/reduce_contacts.hpp"
 #include "core/solid/bonds/weight.hpp"
 #include "core/walls/faces.hpp"
@@ -21,14 +20,6 @@ constexpr double faceGap = 0.03;   // spacings; faces count before edges that ar
 constexpr double flatEdge = 0.3;   // spacings; faces are plane so far beyond their outermost particles, have
 constexpr double roundEdge = 0.5;  // a chamfer up to here, and are round further out, as their edges are
 constexpr double lookAhead = 1.5;  // steps; motions change within the step
-
-bool hasSurface(const Continuum& p, std::size_t i) { return p.piece[i] != notRigid && p.faceOffset[i] > 0; }
-
-PlacedElement placed(const ContactSearch& s, std::size_t i) {
-  const Continuum& p = s.particles;
-  return placedElement({p.faceNormal[i], p.faceOffset[i], p.faceRadius[i]}, p.position[i],
-                       s.pieces.orientation[p.pieceRow[i]]);
-}
 
 bool isAsleep(const ContactSearch& s, std::size_t i) { return s.pieces.asleep[s.particles.pieceRow[i]] != 0; }
 
@@ -60,7 +51,7 @@ struct SurfaceCells {
 std::uint8_t bend(const PlacedElement& e) { return e.round() ? 2 : e.plane() ? 0 : 1; }
 
 SurfaceParticle surfaceParticle(const ContactSearch& s, std::uint32_t i) {
-  const PlacedElement e = placed(s, i);
+  const PlacedElement e = placedElement(s.particles, s.pieces, i);
   return {e, e.plane() ? e.position : e.centre(), s.particles.piece[i], i, bend(e), isAsleep(s, i)};
 }
 
@@ -361,7 +352,7 @@ double riseOf(const Search& s, std::uint32_t i, const Vec3d& anchor, const Vec3d
 void wallContacts(Search& s, std::uint32_t i, std::uint32_t k) {
   const Wall& wall = s.in.walls.list[k];
   const double spacing = s.in.scene.spacing;
-  const PlacedElement a = placed(s.in, i);
+  const PlacedElement a = placedElement(s.in.particles, s.in.pieces, i);
   const double reach = std::min(s.in.grid.support, a.offset + spacing);
   const Vec3d rest = toRest(wall.pose, a.position);
   if (!nearBounds(wall.bounds, rest, reach)) return;
@@ -405,6 +396,11 @@ void findObstacles(Search& s) {
 }
 
 }  // namespace
+
+PlacedElement placedElement(const Continuum& p, const Pieces& pieces, std::size_t i) {
+  return placedElement({p.faceNormal[i], p.faceOffset[i], p.faceRadius[i]}, p.position[i],
+                       pieces.orientation[p.pieceRow[i]]);
+}
 
 std::vector<FoundContact> findContacts(const ContactSearch& search, std::span<const PieceMotion> motion,
                                        Reducer& all) {

@@ -8,6 +8,7 @@
 #include "core/halo/halo.hpp"
 #include "core/neighbours/grid.hpp"
 #include "core/particles/continuum.hpp"
+#include "core/rigid/contact/element_pairs.hpp"
 #include "core/rigid/contact/rigid_contact.hpp"
 #include "core/rigid/data/pieces.hpp"
 #include "core/scene/scene.hpp"
@@ -35,6 +36,14 @@ struct FoundContact {
 };
 
 inline constexpr std::uint64_t obstacleBit = std::uint64_t{1} << 63;
+
+/// Returns true if a particle is at the surface of its piece.
+inline bool hasSurface(const Continuum& p, std::size_t i) {
+  return p.piece[i] != notRigid && p.faceOffset[i] > 0;
+}
+
+/// Returns the surface element of a particle in the scene. Requires: Continuum::pieceRow.
+PlacedElement placedElement(const Continuum& particles, const Pieces& pieces, std::size_t row);
 
 /// Returns the contacts that may close within the step, each on the rank that owns `particle`. motion:
 /// velocities of all rows of pieces, as the solver gets them. Patches of contact between two pieces are

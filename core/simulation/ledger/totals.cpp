@@ -10,7 +10,7 @@ static_assert(sizeof(ExactBalance) == balanceSums * sizeof(ExactSum),
               "list the new sum in addBalance, and in valuesOf");
 static_assert(sizeof(Ledger) == ledgerSums * sizeof(ExactSum) + sizeof(Balance),
               "list the new sum in sumsOf");
-static_assert(worldCounts == 35, "list the new counter in countsOf");
+static_assert(worldCounts == 36, "list the new counter in countsOf");
 static_assert(sizeof(SurfaceCounters) == 11 * sizeof(std::int64_t), "list the new counter in countsOf");
 static_assert(sizeof(MonitorState) == 11 * sizeof(double), "list the new member in realsOf or countsOf");
 
@@ -107,6 +107,7 @@ std::vector<NamedCount> countsOf(Counters& c) {
           {"contact_unfinished", &c.contactUnfinished},
           {"impacts_unfinished", &c.impactsUnfinished},
           {"broken_pieces", &c.brokenPieces},
+          {"welded_pieces", &c.weldedPieces},
           {"retries", &c.retries}};
 }
 

@@ -5,6 +5,7 @@
 #include "core/rigid/link_pieces.hpp"
 #include "core/rigid/motion.hpp"
 #include "core/rigid/update_pieces.hpp"
+#include "core/rigid/welding/weld_pieces.hpp"
 #include "core/simulation/modules/step_modules.hpp"
 #include "core/simulation/step_context.hpp"
 #include "core/simulation/views/views.hpp"
@@ -48,6 +49,7 @@ StepModule rigidBodies() {
                 c.t.rigid.changedHere = false;
                 linkPieces(view, c.halos, PieceUsers::AndGhosts);
               }
+              if (c.w.modules.pieceWelding) weldPieces(view, c.halos);
               // At the end of the scene no limit on the step exists.
               const double planned = nextStep(c.w.clock);
               touchAndBreak(view, c.halos, std::isfinite(planned) ? planned : c.w.clock.stepDt);

@@ -57,6 +57,7 @@ void activatePieceFields(World& w) {
   turnOn(p, !m.rigidify, {&p.faceNormal, &p.faceOffset, &p.faceRadius, &p.contactPartner, &p.contactImpulse});
   turnOn(p, m.rollingFriction, {&p.rollingImpulse});
   turnOn(p, !m.rigidify && m.surface, {&p.exposed});
+  turnOn(p, m.pieceWelding, {&p.touchTime});
 }
 
 }  // namespace

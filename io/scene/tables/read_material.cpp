@@ -149,6 +149,13 @@ void readSolid(TableReader& r, Material& m) {
   r.number("damping", m.damping, "1/s", notNegative(),
            "rate at which velocity differences of bonded particles decay");
   r.flag("weld", m.weld, "solids of this material that touch after freezing weld together");
+  r.number(
+      "weld_temperature", m.weldTemperature, "K", orNever(positive()),
+      "rigid pieces (law = \"rigid\") of this material join where their surfaces touch and both are hotter "
+      "than this. Fractures weld only after they have cooled. \"never\": no piece welds");
+  r.number("weld_time", m.weldTime, "s", notNegative(),
+           "time for which hot surfaces must touch until they weld at `weld_temperature`. 0: pieces stick as "
+           "they touch, so they do not rebound");
   r.number("friction", m.friction, "", between(0, 10),
            "Coulomb friction between separate solids: the smaller of the two applies. At an obstacle, that "
            "of the obstacle applies");
@@ -223,6 +230,34 @@ void checkTension(TableReader& r, const Material& m) {
            {"young", "phase", "melts"});
 }
 
+void checkRigidSolid(TableReader& r, const Material& m) {
+  if (m.isRigid()) {
+    for (const char* key : {"yield_strain", "creep_rate", "hardening", "max_plastic_strain", "break_stretch"})
+      if (r.has(key)) r.fail(key, "has no effect with `law = \"rigid\"`: remove it, or choose another law");
+    if (r.has("weld"))
+      r.fail("weld",
+             "has no effect with `law = \"rigid\"`: rigid pieces weld at `weld_temperature`; remove "
+             "`weld`, or choose another law");
+  }
+  if (r.has("rolling_friction") && !m.isRigid())
+    r.fail("rolling_friction", "applies to rigid solids only: set `law = \"rigid\"`, or remove it", {"law"});
+  if (m.strength < never && !m.isRigid())
+    r.fail("strength", "applies to rigid solids only (`law = \"rigid\"`); others break at `break_stretch`",
+           {"law"});
+  if (m.strength < never && m.isRigid() && !(m.young.solid > 0))
+    r.fail("strength", "needs `young`, which sets the duration of an impact: set it, too", {"young", "law"});
+  if (m.weldTemperature < never && !m.isRigid())
+    r.fail("weld_temperature",
+           "applies to rigid solids only (`law = \"rigid\"`); others weld with `weld = true`", {"law"});
+  if (m.weldTemperature < never && m.melts() && m.weldTemperature >= m.liquidus)
+    r.fail("weld_temperature",
+           "the material melts at " + numberText(m.liquidus) +
+               " K, before its pieces weld: expected a lower temperature",
+           {"melts"});
+  if (m.weldTime > 0 && !(m.weldTemperature < never))
+    r.fail("weld_time", "applies only with `weld_temperature`: set it, too", {"weld_temperature"});
+}
+
 /// Refuses meaningless combinations of keys.
 void checkMaterial(TableReader& r, const Material& m) {
   checkExpansion(r, m);
@@ -249,17 +284,7 @@ void checkMaterial(TableReader& r, const Material& m) {
     r.fail("yield_strain", "requires a solid: set `young`, or remove `yield_strain`", {"young"});
   if (r.has("creep_rate") && !r.has("yield_strain"))
     r.fail("creep_rate", "only a material that yields creeps: set `yield_strain`, too");
-  if (m.isRigid())
-    for (const char* key :
-         {"yield_strain", "creep_rate", "hardening", "max_plastic_strain", "break_stretch", "weld"})
-      if (r.has(key)) r.fail(key, "has no effect with `law = \"rigid\"`: remove it, or choose another law");
-  if (r.has("rolling_friction") && !m.isRigid())
-    r.fail("rolling_friction", "applies to rigid solids only: set `law = \"rigid\"`, or remove it", {"law"});
-  if (m.strength < never && !m.isRigid())
-    r.fail("strength", "applies to rigid solids only (`law = \"rigid\"`); others break at `break_stretch`",
-           {"law"});
-  if (m.strength < never && m.isRigid() && !(m.young.solid > 0))
-    r.fail("strength", "needs `young`, which sets the duration of an impact: set it, too", {"young", "law"});
+  checkRigidSolid(r, m);
   if (m.hardening > 0 && !r.has("yield_strain"))
     r.fail("hardening", "needs `yield_strain`: only a material that yields can harden");
 }

@@ -134,6 +134,27 @@ TEST(BadScene, ConflictsOfNumericsHaveThePlaceOfTheirKey) {
   EXPECT_EQ(only("rigidify = \"of\"\n").rfind(wrong, 0), 0u) << only("rigidify = \"of\"\n");
 }
 
+TEST(BadScene, WeldsOfRigidPiecesNeedARigidMaterialThatIsSolidThen) {
+  const auto only = [](const std::string& keys) {
+    const std::vector<std::string> lines = errorsOf(with("young = \"20 kPa\"", keys));
+    return lines.size() == 1 ? lines[0] : std::to_string(lines.size()) + " errors";
+  };
+  EXPECT_EQ(only("law = \"rigid\"\nweld_temperature = 1000\nweld_time = 0.1"), "0 errors");
+  EXPECT_EQ(only("young = 1e4\nweld_temperature = 1000"),
+            "s.toml:8:20: error: material.jelly.weld_temperature: applies to rigid solids only "
+            "(`law = \"rigid\"`); others weld with `weld = true`");
+  EXPECT_EQ(
+      only("law = \"rigid\"\nweld = true"),
+      "s.toml:8:8: error: material.jelly.weld: has no effect with `law = \"rigid\"`: rigid pieces weld at "
+      "`weld_temperature`; remove `weld`, or choose another law");
+  EXPECT_EQ(
+      only("law = \"rigid\"\nweld_time = 0.1"),
+      "s.toml:8:13: error: material.jelly.weld_time: applies only with `weld_temperature`: set it, too");
+  EXPECT_EQ(only("law = \"rigid\"\nheat_capacity = 450\nmelts = [900, 950]\nweld_temperature = 950"),
+            "s.toml:10:20: error: material.jelly.weld_temperature: the material melts at 950 K, before its "
+            "pieces weld: expected a lower temperature");
+}
+
 TEST(BadScene, AllErrorsAtOnceInTheirOrder) {
   std::string s = with("\"2 cm\"", "-1");
   s.replace(s.find("young"), 5, "yuong");

@@ -39,6 +39,21 @@ TEST(UnusedSettings, OfARigidLiquidAreReported) {
   EXPECT_TRUE(warningsOf("law = \"rigid\"", "").empty());
 }
 
+TEST(UnusedSettings, OfWeldsOfRigidWithElasticSolidsAreReported) {
+  const std::string iron = "law = \"rigid\"\nweld_temperature = 1000",
+                    jelly = "[material.jelly]\nyoung = 1e4\n",
+                    body =
+                        "[[body]]\nname = \"c\"\nmaterial = \"jelly\"\nbox = { size = [1, 1, 1] }\n"
+                        "place = { move = [2, 0, 0] }\n";
+  EXPECT_EQ(
+      warningsOf(iron, jelly + "weld = true\n" + body),
+      std::vector<std::string>{
+          "s.toml:3:1: material 'm': `weld_temperature` joins its rigid pieces to each other only, not to "
+          "elastic solids of 'jelly', whose `weld` joins elastic solids only"});
+  EXPECT_TRUE(warningsOf(iron, jelly + body).empty());
+  EXPECT_TRUE(warningsOf("law = \"rigid\"", jelly + "weld = true\n" + body).empty());
+}
+
 TEST(UnusedSettings, OfSprayWithoutASurfaceAreReported) {
   EXPECT_EQ(warningsOf(liquid, "[output]\nspray = \"hide\"\n"),
             std::vector<std::string>{"s.toml: `output.spray` has no effect without a table [surface]"});
