@@ -35,6 +35,7 @@ std::vector<StepModule> stepModules() {
           rigidParts(),  // after elasticSolids: it withdraws their step limits
           rigidPieces(),
           rigidBodies(),  // after melting, which sets meltedAnywhere
+          energyOfPhaseChange(),  // after rigidBodies, whose pieces touch by impulses
           viscosityCorrection(),
           bodyTypes(),
           sheets(),
