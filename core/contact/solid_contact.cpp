@@ -135,8 +135,8 @@ bool changesStiffness(std::span<const TouchingPair> pairs, const Continuum& p) {
   });
 }
 
-void recordStiffnessChanges(const Scene& scene, std::span<const TouchingPair> pairs, double next, Continuum& p,
-                            ExactSum& phaseJump) {
+void recordStiffnessChanges(const Scene& scene, std::span<const TouchingPair> pairs, double next,
+                            Continuum& p, ExactSum& phaseJump) {
   for (const TouchingPair& pair : pairs) {
     const std::uint32_t i = pair.own, j = pair.other;
     const double now = canTouch(p, i, j) ? elasticPairOf(scene, p, i, j).stiffness : 0,

@@ -39,9 +39,7 @@ struct WallSpring {
     return 0.5 * std::max(0.0, stiffness) * gap * gap;
   }
   /// Returns the force (N) away from the wall at this distance (m).
-  double force(double distance) const {
-    return std::max(0.0, stiffness) * std::max(0.0, length - distance);
-  }
+  double force(double distance) const { return std::max(0.0, stiffness) * std::max(0.0, length - distance); }
 };
 /// Length in spacings that no spring exceeds.
 inline constexpr double longestSpring = 0.5;

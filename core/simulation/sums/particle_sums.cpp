@@ -284,8 +284,7 @@ void sumPairForces(World& w, StepTools& t) {
     work.force->kernels.sum(sums, {work.records.data(), constantsOf(w, work), work.energy.data()},
                             {0, w.neighbours.groups});
     for (std::size_t i = 0; i < p.owned; i++) p.interaction[i] += work.energy[i];
-    for (std::size_t i = 0; w.modules.melting && i < p.owned; i++)
-      t.phaseEnergy.inPairs[i] += work.energy[i];
+    for (std::size_t i = 0; w.modules.melting && i < p.owned; i++) t.phaseEnergy.inPairs[i] += work.energy[i];
     if (newborn) recordEntry(w, sums, work, *newborn);
   }
   t.times.lap(StepPhase::Forces);

@@ -45,8 +45,8 @@ bool storesInPairs(const World& w, const StepTools& t) { return coheresByPairs(w
 }  // namespace
 
 bool pairEnergyChanges(const World& w, const StepTools& t) {
-  return storesInPairs(w, t) && !std::equal(t.phaseEnergy.liquid.begin(), t.phaseEnergy.liquid.end(),
-                                            w.particles.liquid.data());
+  return storesInPairs(w, t) &&
+         !std::equal(t.phaseEnergy.liquid.begin(), t.phaseEnergy.liquid.end(), w.particles.liquid.data());
 }
 
 void recordPairEnergyChange(World& w, StepTools& t) {
