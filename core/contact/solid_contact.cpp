@@ -43,15 +43,46 @@ bool willTouch(const ContactContext& x, const Continuum& p, const ClosePair& pai
 struct Elastic {
   double stiffness;              ///< N/m
   double restitution, friction;  ///< 1
-  double softening;              ///< N/m per liquid fraction
 };
 
 Elastic elasticOf(const Scene& s, const Continuum& p, std::uint32_t row) {
   const Material& m = s.materials[p.material[row]];
   const double f = p.liquid.active ? static_cast<double>(p.liquid[row]) : 0;
   const double modulus = contactModulus(m, f), least = 0.01 * contactModulus(m, 0);
-  return {std::max(modulus, least) * s.spacing, m.restitution, m.friction,
-          modulus > least ? contactModulusByLiquid(m) * s.spacing : 0};
+  return {std::max(modulus, least) * s.spacing, m.restitution, m.friction};
+}
+
+struct ElasticPair {
+  Elastic a, b;
+  double stiffness;  ///< N/m
+};
+
+ElasticPair elasticPairOf(const Scene& s, const Continuum& p, std::uint32_t i, std::uint32_t j) {
+  ElasticPair e{elasticOf(s, p, i), elasticOf(s, p, j), 0};
+  // A rigid particle counts as stiff as its elastic partner, so that the step limit of contacts holds.
+  if (touchesAsPiece(p, i)) e.a.stiffness = e.b.stiffness;
+  if (touchesAsPiece(p, j)) e.b.stiffness = e.a.stiffness;
+  e.stiffness = 2 * e.a.stiffness * e.b.stiffness / (e.a.stiffness + e.b.stiffness);
+  return e;
+}
+
+bool canTouch(const Continuum& p, std::uint32_t i, std::uint32_t j) {
+  return p.phase[i] == Solid && p.phase[j] == Solid && !(touchesAsPiece(p, i) && touchesAsPiece(p, j));
+}
+
+/// Half of the energy (J) of a spring that begins to act in a step: as overlap and growth in it are those of
+/// a TouchingPair, the force does the work of its half kick only.
+double energyThatAppears(const TouchingPair& pair, double dt) {
+  return 0.25 * pair.stiffness * pair.overlap * (pair.overlap - dt * pair.growth);
+}
+
+/// Records a new contact of a particle that just froze, and lists the pair if its stiffness may change.
+void recordTouch(const ContactContext& x, const Continuum& p, TouchingPair pair) {
+  if (x.frozen && (p.justFrozen[pair.own] || p.justFrozen[pair.other]))
+    x.frozen->add(-energyThatAppears(pair, x.step));
+  if (!x.touching) return;
+  pair.liquid = p.liquid[pair.own];
+  x.touching->push_back(pair);
 }
 
 }  // namespace
@@ -59,32 +90,24 @@ Elastic elasticOf(const Scene& s, const Continuum& p, std::uint32_t row) {
 void addSolidContacts(const ContactContext& x, const ClosePairs& pairs, Continuum& p) {
   const double d0 = contactDistance * x.scene.spacing;
   if (x.dissipativeForce) x.dissipativeForce->clear();
+  if (x.touching) x.touching->clear();
   for (const ClosePair& pair : pairs.list) {
     const std::uint32_t i = pair.own, j = pair.other;
-    const bool rigid = touchesAsPiece(p, i), rigidOther = touchesAsPiece(p, j);
-    if ((rigid && rigidOther) || bonded(x, p, i, j)) continue;  // pieces: core/rigid/contact/
+    if ((touchesAsPiece(p, i) && touchesAsPiece(p, j)) || bonded(x, p, i, j))
+      continue;  // pieces: core/rigid/contact/
     const Vec3d d = between(x.grid, p.position[i], p.position[j]);
     const double r = length(d);
     if (x.near) *x.near = *x.near || willTouch(x, p, pair, d / r, r - d0);
     if (r >= d0) continue;
-    Elastic a = elasticOf(x.scene, p, i), b = elasticOf(x.scene, p, j);
-    // A rigid particle counts as stiff as its elastic partner, so that the step limit of contacts holds.
-    if (rigid) a.stiffness = b.stiffness;
-    if (rigidOther) b.stiffness = a.stiffness;
-    const double k = 2 * a.stiffness * b.stiffness / (a.stiffness + b.stiffness);
-    const double energy = 0.25 * k * (d0 - r) * (d0 - r);  // half of the pair energy
-    p.interaction[i] += energy;
-    if (x.frozen && (p.justFrozen[i] || p.justFrozen[j])) x.frozen->add(-energy);
-    if (p.softening.active) {
-      // k' / k'_i: the stiffness of a rigid particle changes with that of the other
-      const double share = b.stiffness / (a.stiffness + b.stiffness), part = rigidOther ? 0.5 : share * share;
-      p.softening[i] += a.softening * part * (d0 - r) * (d0 - r);
-    }
+    const auto [a, b, k] = elasticPairOf(x.scene, p, i, j);
+    p.interaction[i] += 0.25 * k * (d0 - r) * (d0 - r);  // half of the pair energy
+    const Vec3d u = p.velocity[i] - p.velocity[j];
+    recordTouch(x, p, {i, j, 0, k, d0 - r, r > 0 ? -dot(u, d) / r : 0});
     if (r == 0) {
       if (x.coincident) ++*x.coincident;
       continue;
     }
-    const Vec3d n = d / r, u = p.velocity[i] - p.velocity[j];
+    const Vec3d n = d / r;
     const double mass = p.mass[i] * p.mass[j] / (p.mass[i] + p.mass[j]);
     // Restitutions near 0 are overdamped, and a particle can touch five others. Beyond this bound the
     // dashpots would add energy.
@@ -103,6 +126,24 @@ void addSolidContacts(const ContactContext& x, const ClosePairs& pairs, Continuu
     p.force[i] += n * spring + dissipativeForce;
     if (x.dissipativeForce) x.dissipativeForce->push_back({i, dissipativeForce});
     p.dissipation[i] += 0.5 * (-dash * un + rub * slip);
+  }
+}
+
+bool changesStiffness(std::span<const TouchingPair> pairs, const Continuum& p) {
+  return std::any_of(pairs.begin(), pairs.end(), [&](const TouchingPair& pair) {
+    return p.liquid[pair.own] != pair.liquid || p.phase[pair.own] != Solid;
+  });
+}
+
+void recordStiffnessChanges(const Scene& scene, std::span<const TouchingPair> pairs, double next,
+                            Continuum& p, ExactSum& phaseJump) {
+  for (const TouchingPair& pair : pairs) {
+    const std::uint32_t i = pair.own, j = pair.other;
+    const double now = canTouch(p, i, j) ? elasticPairOf(scene, p, i, j).stiffness : 0,
+                 stiffer = now - pair.stiffness;
+    if (stiffer == 0) continue;
+    p.interaction[i] += 0.25 * stiffer * pair.overlap * pair.overlap;
+    phaseJump.add(-0.25 * stiffer * pair.overlap * (pair.overlap + next * pair.growth));
   }
 }
 

@@ -2,6 +2,7 @@
 // Contact of unbonded solids: separate bodies, pieces of one body, frozen fragments.
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/fluid/pair_sums/pair_sums.hpp"
@@ -27,6 +28,14 @@ struct DissipativeForce {
   Vec3d force;
 };
 
+/// Unbonded solids that touch, before heat changes their phases.
+struct TouchingPair {
+  std::uint32_t own, other;  ///< rows
+  float liquid;              ///< liquid fraction of the own particle
+  double stiffness;          ///< N/m
+  double overlap, growth;    ///< m, m/s
+};
+
 struct ContactContext {
   const Scene& scene;
   const CellGrid& grid;
@@ -35,6 +44,7 @@ struct ContactContext {
   double step;  ///< s, current step; dashpots and friction remove at most a fifth of a pair's velocity in it
   ExactSum* frozen = nullptr;  ///< Ledger::phaseJump if a particle just froze on any rank: takes the contact
                                ///< energy that freezing creates (J)
+  std::vector<TouchingPair>* touching = nullptr;  ///< receives the pairs with an energy; null: not needed
   std::vector<DissipativeForce>* dissipativeForce = nullptr;  ///< receives the dissipative force of every
                                                               ///< pair in list order; not summed per row,
                                                               ///< since rows of a group alternate none are
@@ -52,5 +62,15 @@ struct ContactContext {
 /// dissipation uses the velocities of the force evaluation; recordResistance adds the correction of second
 /// order in the step.
 void addSolidContacts(const ContactContext& context, const ClosePairs& pairs, Continuum& particles);
+
+/// Returns whether the stiffness of a pair changes with the phase of its own particle.
+bool changesStiffness(std::span<const TouchingPair> pairs, const Continuum& particles);
+
+/// Records the change of the energy of these pairs at the same positions in phaseJump (J) and, for owned
+/// rows, in Continuum::interaction, exactly for any change of the phases. Pairs with liquid have no energy.
+/// The ledger also takes the work of the next half kick, which still has the force before the change.
+/// Requires: liquid fractions and phases of ghosts. next: s, the next step.
+void recordStiffnessChanges(const Scene& scene, std::span<const TouchingPair> pairs, double next,
+                            Continuum& particles, ExactSum& phaseJump);
 
 }  // namespace thaw

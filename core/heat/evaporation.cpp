@@ -151,16 +151,27 @@ double areaOf(const EvaporationView& v, std::uint32_t i, double flat, Neighbours
   return gate * own * (all / shares);
 }
 
-/// d(stored energy)/d(volume of the particle) (J/m^3), of pairs, compression and surface. A carried density
-/// has none: it changes with the mass (removeVapour).
+/// Energy (J) of a particle's springs on walls, which is proportional to its mass.
+double springEnergy(const EvaporationView& v, const WallContext& walls, std::uint32_t i) {
+  const std::span<const WallContact> contacts = contactsOf(v.contacts, i);
+  if (contacts.empty()) return 0;
+  const WallSpring spring = wallSpring(walls, i);
+  double sum = 0;
+  for (const WallContact& c : contacts) sum += spring.energy(c.distance);
+  return sum;
+}
+
+/// d(stored energy)/d(volume of the particle) (J/m^3), of pairs, compression and surface, without contacts.
+/// stored: J, compression and tension of the particle. A carried density has no part: it changes with the
+/// mass (removeVapour).
 template<class Neighbours>
-double energyPerVolume(const EvaporationView& v, std::uint32_t i, Neighbours&& neighbours) {
+double energyPerVolume(const EvaporationView& v, std::uint32_t i, double stored, Neighbours&& neighbours) {
   const Scene& s = v.heat.scene;
   const Continuum& p = v.heat.particles;
   const Modules& m = v.heat.modules;
   const Numerics& n = s.numerics;
   const double compression = compressionOf(v.records, p, i, liquidFraction(p, i)),
-               tension = p.interaction[i] - compression;
+               tension = stored - compression;
   const bool summed = !m.continuity && !m.incompressible;
   // The derivative of the compression energy of j by its relative density.
   const auto byDensity = [&](std::uint32_t j) {
@@ -254,7 +265,8 @@ void findExposure(const EvaporationView& v) {
   });
 }
 
-void findVapour(const EvaporationView& v, double dt) {
+void findVapour(const EvaporationView& v, const WallContext& walls, std::span<const double> pairEnergy,
+                double dt) {
   const Scene& s = v.heat.scene;
   Continuum& p = v.heat.particles;
   const double flat = flatLatticeIndicator(s.numerics), depth = s.spacing * latticeGradient(s.numerics);
@@ -281,7 +293,9 @@ void findVapour(const EvaporationView& v, double dt) {
     // The rest leaves at the end, and its latent heat is taken here.
     const double mass = std::min((1 - leastVapourFraction) * rate * dt, p.mass[i]);
     p.vapour[i] = mass;
-    p.vapourEnergy[i] = mass / restDensityOf(p, s.materials, i) * energyPerVolume(v, i, neighbours);
+    p.vapourEnergy[i] = mass / restDensityOf(p, s.materials, i) *
+                            energyPerVolume(v, i, pairEnergy[i], neighbours) +
+                        mass / p.mass[i] * springEnergy(v, walls, i);
   });
 }
 

@@ -3,6 +3,7 @@
 // Particles lose mass, and leave when little of it remains.
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/fluid/pair_sums/records.hpp"
@@ -35,11 +36,13 @@ double meanRate(const TemperatureTable& rate, double T, double cooling, double d
 void findExposure(const EvaporationView& view);
 
 /// Sets Continuum::vapour, the mass that evaporates over the step of dt (s) that ends now, and vapourEnergy.
-/// Requires: exposure, relativeDensity and derivatives of the surface energy of ghosts.
+/// Requires: exposure, relativeDensity and derivatives of the surface energy of ghosts. pairEnergy: J,
+/// compression and tension of owned rows.
 /// Ensures: heatFlow lacks the latent heat, which Ledger::heatIn and vapourHeat record.
 /// The area of a particle is its volume times the component of the gradient along the surface's normal. It is
 /// exact for a flat surface in any arrangement of particles, since gradients of pairs cancel in the sum.
-void findVapour(const EvaporationView& view, double dt);
+void findVapour(const EvaporationView& view, const WallContext& walls, std::span<const double> pairEnergy,
+                double dt);
 
 /// Removes Continuum::vapour from the particles and returns the rows of which too little remains, ascending.
 /// Requires: dt (s) of the step that ends now, and velocities of its middle. The caller removes the returned

@@ -136,18 +136,10 @@ void updateHeat(const HeatView& w, double dt) {
     if (!p.liquid.active || !m.melts()) continue;
     const float before = p.liquid[i];
     p.liquid[i] = static_cast<float>(t.liquid);
-    if (before != p.liquid[i] && p.softening.active)
-      w.ledger.phaseJump.add(-p.softening[i] *
-                             (static_cast<double>(p.liquid[i]) - static_cast<double>(before)));
-    // A softening solid releases stored energy, a stiffening one gains some.
-    if (before != p.liquid[i] && p.slot.active && p.slot[i] != noSlot) {
-      const double was = m.young.at(static_cast<double>(before)),
-                   is = m.young.at(static_cast<double>(p.liquid[i]));
-      if (!(was > 0)) continue;
-      double& energy = w.solids.energy[p.slot[i]];
-      w.ledger.phaseJump.add(energy * (1 - is / was));
-      energy *= is / was;
-    }
+    if (before == p.liquid[i] || !p.softening.active) continue;
+    const double gained = p.softening[i] * (static_cast<double>(p.liquid[i]) - static_cast<double>(before));
+    p.interaction[i] += gained;
+    w.ledger.phaseJump.add(-gained);
   }
 }
 

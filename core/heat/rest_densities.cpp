@@ -12,11 +12,9 @@ namespace thaw {
 namespace {
 
 /// Derivative (J) of all energies of tension with respect to the logarithm of a volume, at fixed positions.
-/// compression: energy (J) of the particle. The energy of a pair is proportional to both volumes. A surface
+/// tension: energy (J) of the particle. The energy of a pair is proportional to both volumes. A surface
 /// energy is proportional to the own volume, and its gradient and colour to those of the neighbours.
-double tensionByVolume(const RecordContext& x, const Continuum& p, std::size_t i, double compression) {
-  if (!x.modules.tension) return 0;
-  const double tension = p.interaction[i] - compression;
+double tensionByVolume(const RecordContext& x, const Continuum& p, std::size_t i, double tension) {
   if (!x.modules.surfaceEnergy) return 2 * tension;
   return tension + p.mass[i] / p.restDensity[i] *
                        (dot(p.surfaceEnergyByGradient[i], p.surfaceGradient[i]) +
@@ -50,9 +48,11 @@ double changeCompression(const RecordContext& x, Continuum& p, std::size_t i, do
 }
 
 /// Changes a density at rest so that the volume grows by `ratio`. Returns the growth of stored energy (J).
-double growVolume(const RecordContext& x, Continuum& p, std::size_t i, double ratio, double dt) {
+double growVolume(const RecordContext& x, Continuum& p, std::size_t i, std::span<const double> pairEnergy,
+                  double ratio, double dt) {
   const double before = compressionOf(x, p, i, liquidFraction(p, i));
-  double added = tensionByVolume(x, p, i, before) * std::log(ratio);
+  double added = 0;
+  if (x.modules.tension) added = tensionByVolume(x, p, i, pairEnergy[i] - before) * std::log(ratio);
   if (!x.modules.continuity) added += workOfGrowth(x, p, i, ratio);
   p.restDensity[i] /= ratio;
   if (x.modules.continuity) added += changeCompression(x, p, i, ratio, dt);
@@ -67,7 +67,8 @@ double workOfLateKick(const RecordContext& x, const Continuum& p, std::size_t i,
          (pressureTerm(x, p, i, p.compression[i]) - pressureTerm(x, p, i, before));
 }
 
-void updateRestDensities(const HeatView& w, const RecordContext& x, double dt) {
+void updateRestDensities(const HeatView& w, const RecordContext& x, std::span<const double> pairEnergy,
+                         double dt) {
   Continuum& p = w.particles;
   const std::vector<Material>& materials = w.scene.materials;
   for (std::size_t i = 0; i < p.owned; i++) {
@@ -78,7 +79,7 @@ void updateRestDensities(const HeatView& w, const RecordContext& x, double dt) {
     const double most = restDensityRate * x.liquids[p.material[i]].soundSpeed / x.grid.support * dt;
     const double growth = std::log(p.restDensity[i] / target);
     const double ratio = std::exp(std::clamp(growth, -most, most));
-    w.ledger.phaseJump.add(-growVolume(x, p, i, ratio, dt));
+    w.ledger.phaseJump.add(-growVolume(x, p, i, pairEnergy, ratio, dt));
     if (std::abs(growth) <= most) p.restDensity[i] = target;
   }
 }

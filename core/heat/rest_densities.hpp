@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Change of the density at rest of particles that melt and freeze (Continuum::restDensity).
 #pragma once
+#include <span>
+
 #include "core/fluid/pair_sums/records.hpp"
 #include "core/heat/heat_view.hpp"
 
@@ -12,7 +14,9 @@ namespace thaw {
 /// - A carried relative density changes with the volume, so the pressure moves the neighbours.
 /// - Ledger::phaseJump records the change of compression and surface energy. It is exact for carried
 ///   densities, else of first order in the differences between neighbours.
-void updateRestDensities(const HeatView& view, const RecordContext& records, double dt);
+/// pairEnergy: J, compression and tension of owned rows in the last evaluation; may be empty without tension.
+void updateRestDensities(const HeatView& view, const RecordContext& records,
+                         std::span<const double> pairEnergy, double dt);
 
 /// Largest rate of volume change over speed of sound and support radius.
 inline constexpr double restDensityRate = 1e-3;

@@ -13,11 +13,6 @@ inline double contactModulus(const Material& m, double liquidFraction) {
   return m.young.at(liquidFraction) + (1 - liquidFraction) * m.volumeStiffness;
 }
 
-/// Returns the derivative (Pa) of contactModulus by the liquid fraction.
-inline double contactModulusByLiquid(const Material& m) {
-  return m.young.liquid - m.young.solid - m.volumeStiffness;
-}
-
 /// Returns the largest modulus (Pa) of contactModulus at any liquid fraction.
 inline double largestContactModulus(const Material& m) {
   return std::max(m.young.solid + m.volumeStiffness, m.young.liquid);

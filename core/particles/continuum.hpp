@@ -214,8 +214,8 @@ struct Continuum : Table {
       "potential energy of pair and wall contacts, this particle's half; migrates with the particle, also "
       "right after a restart", Rows::Owned};
   Column<double> softening{*this, "softening", "J", Keep::Transient,
-      "d(total interaction)/d(liquid fraction of this particle) at fixed positions; only where a material "
-      "melts", Rows::Owned};
+      "d(compression and tension of all)/d(liquid fraction of this particle) at fixed positions; only where "
+      "a material melts", Rows::Owned};
   // clang-format on
 
   /// Fields of extensions, the last of `columns`.

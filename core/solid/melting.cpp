@@ -22,6 +22,37 @@ bool dropBonds(Solids& solids, Bonds& bonds, std::size_t slot, int most) {
 
 }  // namespace
 
+namespace {
+
+/// Returns whether the whole energy of a slot is proportional to Young's modulus at any liquid fraction.
+bool scalesWithYoung(const Material& m, const ElasticConstants& c) {
+  return c.law->law->builtIn >= 0 && m.volumeStiffness == 0 && m.poisson.solid == m.poisson.liquid &&
+         (m.yieldStrain.solid == m.yieldStrain.liquid || !(m.yieldStrain.solid < never));
+}
+
+}  // namespace
+
+void recordSoftening(const ElasticWork& work, const Continuum& p, Solids& solids, const Bonds& bonds,
+                     ExactSum& phaseJump) {
+  for (std::size_t s = 0; s < solids.owned; s++) {
+    const float was = solids.liquid[s], is = p.liquid[solids.particle[s]];
+    if (is == was) continue;
+    const Material& m = work.materials[solids.material[s]];
+    const double young = m.young.at(static_cast<double>(was)), before = solids.energy[s];
+    double after = before;
+    if (scalesWithYoung(m, work.solidConstants[solids.material[s]]) && young > 0) {
+      after *= m.young.at(static_cast<double>(is)) / young;
+      solids.liquid[s] = is;
+    } else {
+      after -= slotEnergy(work, solids, bonds, s);
+      solids.liquid[s] = is;
+      after += slotEnergy(work, solids, bonds, s);
+    }
+    phaseJump.add(before - after);
+    solids.energy[s] = after;
+  }
+}
+
 void markMelted(const Continuum& p, Solids& solids) {
   for (std::size_t s = 0; s < solids.owned; s++) solids.melted[s] = p.phase[solids.particle[s]] == Liquid;
 }

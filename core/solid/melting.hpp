@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Removal of bonds of melted particles, with their energy recorded.
+// Elastic energy of particles that soften and melt, and removal of the bonds of melted ones.
 #pragma once
 #include "core/solid/elasticity/elastic.hpp"
 
 namespace thaw {
+
+/// Updates Solids::liquid and Solids::energy after a change of the liquid fraction at the positions of the
+/// last force evaluation, and adds the loss to phaseJump (J). Requires: Solids::energy of that evaluation.
+void recordSoftening(const ElasticWork& work, const Continuum& particles, Solids& solids, const Bonds& bonds,
+                     ExactSum& phaseJump);
 
 /// Sets Solids::melted of owned slots from the phase of their particles; the caller then sends it along the
 /// bonds.

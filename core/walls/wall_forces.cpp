@@ -111,8 +111,6 @@ void addContactForces(const WallContext& x, const ParticleAtWall& at, Continuum*
   act.force += n * spring;
   act.resist(n * dash, at.velocity);
   if (stored) stored->interaction[at.row] += 0.5 * k * gap * gap;
-  if (stored && p.softening.active)
-    stored->softening[at.row] += 0.5 * wall.stiffnessByLiquid * gap * gap + wall.lengthByLiquid * k * gap;
   const Vec3d tangential = at.velocity - n * un;
   const double slip = length(tangential);
   if (f >= 1 || slip == 0) return;
@@ -151,9 +149,7 @@ WallSpring wallSpring(const WallContext& x, std::size_t row) {
                             : 1;
   const double rest = p.contactOffset.active ? static_cast<double>(p.contactOffset[row]) : longestSpring;
   WallSpring spring;
-  spring.lengthByLiquid = dx * (0.25 - rest);
   spring.length = dx * (rest + f * (0.25 - rest));
-  spring.stiffnessByLiquid = (contactModulusByLiquid(m) + liquid) * dx * filled;
   spring.stiffness = (contactModulus(m, f) + f * liquid) * dx * filled;
   return spring;
 }

@@ -30,16 +30,16 @@ struct WallContext {
 /// Spring of a particle's contact with walls. It acts on solids within half a spacing, and on liquids, which
 /// pressure supports, within a quarter.
 struct WallSpring {
-  double length;             ///< m, distance below which it pushes
-  double stiffness;          ///< N/m
-  double lengthByLiquid;     ///< m, derivative by the liquid fraction
-  double stiffnessByLiquid;  ///< N/m, derivative by the liquid fraction
+  double length = 0;     ///< m, distance below which it pushes
+  double stiffness = 0;  ///< N/m
 
   /// Returns the energy (J) at a distance (m) from the wall.
   double energy(double distance) const {
     const double gap = std::max(0.0, length - distance);
     return 0.5 * std::max(0.0, stiffness) * gap * gap;
   }
+  /// Returns the force (N) away from the wall at this distance (m).
+  double force(double distance) const { return std::max(0.0, stiffness) * std::max(0.0, length - distance); }
 };
 /// Length in spacings that no spring exceeds.
 inline constexpr double longestSpring = 0.5;

@@ -319,6 +319,17 @@ double compressionAt(const RecordContext& x, const Continuum& p, std::size_t i, 
          compressionEnergy(n.eos, x.liquids[p.material[i]].stiffness, relativeDensity, n.tensileLimit);
 }
 
+void packCohesion(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end,
+                  PairRecords& r) {
+  const auto pack = [&](auto real) {
+    using Real = decltype(real);
+    for (std::size_t i = begin; i < end; i++)
+      rows<Real>(r.surface)[i].a = static_cast<Real>(x.liquids[p.material[i]].rootTension *
+                                                     static_cast<double>(p.liquid[i]));
+  };
+  x.scene.numerics.precision == Precision::Double ? pack(double{}) : pack(float{});
+}
+
 void packSurfaceEnergyDerivatives(const RecordContext& x, const Continuum& p, std::size_t begin,
                                   std::size_t end, PairRecords& r) {
   const auto pack = [&](auto real) {

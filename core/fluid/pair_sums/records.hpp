@@ -63,6 +63,10 @@ double compressionAt(const RecordContext& context, const Continuum& particles, s
 void packPressure(const RecordContext& context, Continuum& particles, std::size_t begin, std::size_t end,
                   PairRecords& records);
 
+/// Packs the strength of cohesion of rows [begin, end), after a change of their liquid fractions.
+void packCohesion(const RecordContext& context, const Continuum& particles, std::size_t begin,
+                  std::size_t end, PairRecords& records);
+
 /// Packs Continuum::surfaceEnergyByGradient and surfaceEnergyByColour of rows [begin, end).
 void packSurfaceEnergyDerivatives(const RecordContext& context, const Continuum& particles, std::size_t begin,
                                   std::size_t end, PairRecords& records);

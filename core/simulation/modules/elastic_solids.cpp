@@ -9,6 +9,7 @@
 #include "core/simulation/sums/solid_step.hpp"
 #include "core/simulation/time/limits.hpp"
 #include "core/solid/elasticity/elastic.hpp"
+#include "core/solid/melting.hpp"
 
 namespace thaw {
 
@@ -29,6 +30,12 @@ StepModule elasticSolids() {
         }},
        {ModulePhase::ContinuumForce,
         [](StepContext& c) { addElasticForces(c.w, c.t, c.dt, std::move(c.stress)); }},
+       {ModulePhase::PhaseChange,
+        [](StepContext& c) {
+          World& w = c.w;
+          if (w.modules.melting)
+            recordSoftening(c.t.elastic, w.particles, w.solids, w.bonds, w.ledger.phaseJump);
+        }},
        {ModulePhase::Limits,
         [](StepContext& c) {
           c.reduction.stretch2 = c.t.maxStretch2;

@@ -2,6 +2,7 @@
 #include "core/simulation/modules/step_modules.hpp"
 #include "core/simulation/step_context.hpp"
 #include "core/simulation/sums/particle_sums.hpp"
+#include "core/simulation/sums/softening.hpp"
 #include "core/simulation/views/views.hpp"
 
 namespace thaw {
@@ -14,7 +15,10 @@ StepModule evaporation() {
               c.t.kernels->freeSurfaceIndicator(pairSumsOf(c.w, c.t), {0, c.w.neighbours.groups});
               findExposure(evaporationView(c.w, c.t));
             }},
-           {ModulePhase::AllForces, [](StepContext& c) { findVapour(evaporationView(c.w, c.t), c.dt); }}}};
+           {ModulePhase::ContinuumForce, [](StepContext& c) { keepPairEnergy(c.w, c.t); }},
+           {ModulePhase::AllForces, [](StepContext& c) {
+              findVapour(evaporationView(c.w, c.t), c.walls, c.t.phaseEnergy.ofPairs, c.dt);
+            }}}};
 }
 
 }  // namespace thaw

@@ -3,7 +3,7 @@
 #include "core/heat/rest_densities.hpp"
 #include "core/simulation/modules/step_modules.hpp"
 #include "core/simulation/step_context.hpp"
-#include "core/simulation/sums/particle_sums.hpp"
+#include "core/simulation/sums/softening.hpp"
 #include "core/simulation/views/views.hpp"
 
 namespace thaw {
@@ -28,8 +28,13 @@ StepModule melting() {
 StepModule densityByPhase() {
   return {"density by phase",
           [](const World& w, const StepTools&) { return w.modules.phaseDensity; },
-          {{ModulePhase::PhaseChange,
-            [](StepContext& c) { updateRestDensities(heatView(c.w), recordContext(c.w, c.t), c.dt); }}}};
+          {{ModulePhase::ContinuumForce,
+            [](StepContext& c) {
+              if (c.w.modules.tension) keepPairEnergy(c.w, c.t);
+            }},
+           {ModulePhase::PhaseChange, [](StepContext& c) {
+              updateRestDensities(heatView(c.w), recordContext(c.w, c.t), c.t.phaseEnergy.ofPairs, c.dt);
+            }}}};
 }
 
 }  // namespace thaw

@@ -17,7 +17,8 @@ StepModule solidContact() {
           // Just frozen: records the jump of all contacts, as an evaluation with new coefficients does.
           addSolidContacts(
               {w.scene, w.grid, w.solids, w.bonds, c.walls.span, c.justFrozen ? &w.ledger.phaseJump : nullptr,
-               &c.t.contactResistance, w.modules.fluid ? nullptr : &w.counters.coincidentPairs,
+               w.modules.melting ? &c.t.phaseEnergy.touching : nullptr, &c.t.contactResistance,
+               w.modules.fluid ? nullptr : &w.counters.coincidentPairs,
                w.modules.rareContact ? &c.contactNear : nullptr},
               c.t.closePairs, w.particles);
         }},

@@ -34,7 +34,8 @@ std::vector<StepModule> stepModules() {
           buoyancy(),
           rigidParts(),  // after elasticSolids: it withdraws their step limits
           rigidPieces(),
-          rigidBodies(),  // after melting, which sets meltedAnywhere
+          rigidBodies(),          // after melting, which sets meltedAnywhere
+          energyOfPhaseChange(),  // after rigidBodies, whose pieces touch by impulses
           viscosityCorrection(),
           bodyTypes(),
           sheets(),

@@ -52,6 +52,7 @@ StepModule buoyancy();
 StepModule rigidParts();
 StepModule rigidPieces();
 StepModule rigidBodies();
+StepModule energyOfPhaseChange();
 StepModule viscosityCorrection();
 StepModule bodyTypes();
 StepModule sheets();

@@ -284,9 +284,7 @@ void sumPairForces(World& w, StepTools& t) {
     work.force->kernels.sum(sums, {work.records.data(), constantsOf(w, work), work.energy.data()},
                             {0, w.neighbours.groups});
     for (std::size_t i = 0; i < p.owned; i++) p.interaction[i] += work.energy[i];
-    for (std::size_t i = 0; p.softening.active && i < p.owned; i++)
-      if (p.liquid[i] > 0)  // the energy of a pair is proportional to both fractions
-        p.softening[i] += 2 * work.energy[i] / static_cast<double>(p.liquid[i]);
+    for (std::size_t i = 0; w.modules.melting && i < p.owned; i++) t.phaseEnergy.inPairs[i] += work.energy[i];
     if (newborn) recordEntry(w, sums, work, *newborn);
   }
   t.times.lap(StepPhase::Forces);
@@ -434,17 +432,6 @@ void separateCoincident(World& w, const StepTools& t, std::int64_t before) {
       p.position[i] += d * (1e-5 * w.scene.spacing);
       if (p.restTime.active) p.restTime[i] = 0;
     }
-}
-
-void beginSoftening(World& w, const StepTools& t) {
-  Continuum& p = w.particles;
-  const RecordContext x = recordContext(w, t);
-  for (std::size_t i = 0; i < p.owned; i++) {
-    const double f = static_cast<double>(p.liquid[i]);
-    const double compression = compressionOf(x, p, i, f), tension = p.interaction[i] - compression;
-    const double all = (w.modules.surfaceEnergy ? 1 : 2) * tension + (w.modules.continuity ? 0 : compression);
-    p.softening[i] = f > 0 ? all / f : 0;
-  }
 }
 
 }  // namespace thaw

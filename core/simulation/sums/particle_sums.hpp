@@ -60,10 +60,4 @@ void solveViscosity(World& world, Halos halos, StepTools& tools, const WallConte
 /// Runs the pressure solver (core/flow/incompressible/). dt (s): the step that ends now. Collective.
 void solvePressure(World& world, Halos halos, StepTools& tools, double dt);
 
-/// Computes Continuum::softening of compression and surface tension from Continuum::interaction. Requires:
-/// called after the neighbour sums and before contacts are added. Summed compression is proportional to the
-/// particle's liquid fraction, carried compression is not; the tension of a pair is proportional to both
-/// fractions. Liquids only.
-void beginSoftening(World& world, const StepTools& tools);
-
 }  // namespace thaw

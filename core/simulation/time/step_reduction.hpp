@@ -15,6 +15,7 @@ namespace thaw {
 struct StepReduction {
   std::array<double, limitNames.size() - bodyTypeLimits> negatedLimits{};  ///< s
   double froze = 0, bad = 0, stop = 0, report = 0, checkpoint = 0, melted = 0;
+  double pairsChange = 0;       ///< energies of contacts or cohesion change with the phase
   double rigidity = 0;          ///< parts of elastic solids become rigid or elastic
   double stretch2 = 1;          ///< squared largest stretch of solids; 0: all are rigid and apart
   double strainBound = 0;       ///< largestStrainBound

@@ -29,6 +29,7 @@
 #include "core/rigid/data/rigid_work.hpp"
 #include "core/simulation/time/monitor_limits.hpp"
 #include "core/simulation/time/step_limits.hpp"
+#include "core/simulation/workspace/phase_energy.hpp"
 #include "core/simulation/workspace/step_hooks.hpp"
 #include "core/simulation/workspace/step_phases.hpp"
 #include "core/sleep/sleep.hpp"
@@ -68,6 +69,7 @@ struct StepTools {
   CarryWork carry;
   std::vector<DissipativeForce> contactResistance;
   WallContacts wallContacts;
+  PhaseEnergyWork phaseEnergy;
   std::vector<WallContact> substepContacts;  ///< solids that may touch a wall in this step
   double longestContact = never;  ///< s, limit of a substep by wall contacts of solids, from materials
   PressureWork pressure;

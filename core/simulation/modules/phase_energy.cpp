@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "core/contact/solid_contact.hpp"
+#include "core/halo/exchange.hpp"
+#include "core/simulation/modules/step_modules.hpp"
+#include "core/simulation/step_context.hpp"
+#include "core/simulation/sums/softening.hpp"
+#include "core/time/frame_times.hpp"
+#include "core/walls/spring_changes.hpp"
+
+namespace thaw {
+namespace {
+
+/// Records the energies of contacts and pairs that change with the phase.
+void recordChanges(StepContext& c) {
+  Continuum& p = c.w.particles;
+  // At the end of the scene no limit on the step exists.
+  const double planned = nextStep(c.w.clock), next = std::isfinite(planned) ? planned : c.w.clock.stepDt;
+  recordSpringChanges(c.walls, c.t.wallContacts, c.t.phaseEnergy.springs, {next, next / c.w.clock.substeps});
+  if (!(c.reduction.pairsChange > 0)) return;
+  refresh(c.halos.cells, p, ColumnList{&p.liquid, &p.phase}).wait();
+  recordStiffnessChanges(c.w.scene, c.t.phaseEnergy.touching, next, p, c.w.ledger.phaseJump);
+  recordPairEnergyChange(c.w, c.t);
+}
+
+}  // namespace
+
+StepModule energyOfPhaseChange() {
+  return {"energy of phase changes",
+          [](const World& w, const StepTools&) { return w.modules.melting; },
+          {{ModulePhase::AllForces,
+            [](StepContext& c) { rememberSprings(c.walls, c.t.wallContacts, c.t.phaseEnergy.springs); }},
+           {ModulePhase::Limits,
+            [](StepContext& c) {
+              if (changesStiffness(c.t.phaseEnergy.touching, c.w.particles) || pairEnergyChanges(c.w, c.t))
+                c.reduction.pairsChange = 1;
+            }},
+           {ModulePhase::EndOfStep, [](StepContext& c) {
+              if (c.finite && c.dt > 0) recordChanges(c);
+            }}}};
+}
+
+}  // namespace thaw

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/simulation/sums/softening.hpp"
+
+#include <algorithm>
+
+#include "core/fluid/laws/particle_pressure.hpp"
+#include "core/fluid/pair_sums/records.hpp"
+#include "core/materials/rest_density.hpp"
+#include "core/simulation/sums/particle_sums.hpp"
+#include "core/simulation/views/views.hpp"
+#include "core/walls/wall_surface_energy.hpp"
+
+namespace thaw {
+
+namespace {
+
+bool coheresByPairs(const World& w) {
+  return w.modules.tension && w.scene.numerics.tension == TensionForm::Pairwise;
+}
+
+/// Computes PhaseEnergyWork::energy of cohesion and of pair forces of extensions.
+void findPairEnergy(World& w, StepTools& t) {
+  Continuum& p = w.particles;
+  PhaseEnergyWork& work = t.phaseEnergy;
+  const GroupRange all{0, w.neighbours.groups};
+  work.energy.assign(p.owned, 0);
+  work.force.resize(p.owned);
+  work.dissipation.resize(p.owned);
+  PairSums sums = pairSumsOf(w, t);
+  sums.interaction = work.energy.data();
+  sums.force = work.force.data();
+  sums.dissipation = work.dissipation.data();
+  if (coheresByPairs(w)) {
+    packCohesion(recordContext(w, t), p, 0, p.size(), t.records);
+    t.kernels->tension(sums, all);
+  }
+  for (PairForceWork& pairs : t.pairForces) {
+    packPairForce(w.scene, p, 0, p.size(), pairs);
+    pairs.force->kernels.sum(sums, {pairs.records.data(), constantsOf(w, pairs), work.energy.data()}, all);
+  }
+}
+
+bool storesInPairs(const World& w, const StepTools& t) { return coheresByPairs(w) || !t.pairForces.empty(); }
+
+}  // namespace
+
+bool pairEnergyChanges(const World& w, const StepTools& t) {
+  return storesInPairs(w, t) &&
+         !std::equal(t.phaseEnergy.liquid.begin(), t.phaseEnergy.liquid.end(), w.particles.liquid.data());
+}
+
+void recordPairEnergyChange(World& w, StepTools& t) {
+  if (!storesInPairs(w, t)) return;
+  findPairEnergy(w, t);
+  for (std::size_t i = 0; i < w.particles.owned; i++) {
+    const double change = t.phaseEnergy.energy[i] - t.phaseEnergy.inPairs[i];
+    w.particles.interaction[i] += change;
+    w.ledger.phaseJump.add(-change);
+  }
+}
+
+void keepPairEnergy(const World& w, StepTools& t) {
+  const Continuum& p = w.particles;
+  t.phaseEnergy.ofPairs.assign(p.interaction.data(), p.interaction.data() + p.owned);
+}
+
+namespace {
+
+/// Returns the energy (J) of compression and surface that a particle without liquid would have as liquid.
+/// Requires: its sums.
+double energyAsLiquid(World& w, const StepTools& t, std::size_t i) {
+  const Continuum& p = w.particles;
+  double energy = 0;
+  if (!w.modules.continuity)
+    energy = compressionAt(recordContext(w, t), p, i, 1, static_cast<double>(p.relativeDensity[i]));
+  const SurfaceContext surface{wallView(w), t.surface};
+  if (!w.modules.surfaceEnergy) return energy;
+  SurfaceParticle as{static_cast<std::uint32_t>(i),
+                     tensionOfParticle(surface.world, i),
+                     {p.surfaceGradient[i], p.surfaceColour[i]},
+                     {}};
+  if (w.modules.contactAngle) as.contacts = contactsOf(t.wallContacts, as.row);
+  if (as.tension > 0) energy += surfaceEnergyOf(surface, as) * restVolumeOf(p, w.scene.materials, i);
+  return energy;
+}
+
+/// Sets Continuum::softening of solid particles near liquid. Those of other groups have no sums.
+void softenSolids(World& w, const StepTools& t) {
+  Continuum& p = w.particles;
+  const NeighbourLists& lists = w.neighbours;
+  for (std::size_t g = 0; g < lists.groups; g++)
+    for (std::size_t l = 0; l < 8 && lists.fluid[g]; l++) {
+      const std::uint32_t i = lists.self[8 * g + l];
+      if (i != lists.dummy && p.liquid[i] == 0 && w.scene.materials[p.material[i]].melts())
+        p.softening[i] = energyAsLiquid(w, t, i);
+    }
+}
+
+}  // namespace
+
+void beginSoftening(World& w, StepTools& t) {
+  Continuum& p = w.particles;
+  PhaseEnergyWork& work = t.phaseEnergy;
+  const RecordContext x = recordContext(w, t);
+  const bool cohesion = coheresByPairs(w);
+  if (storesInPairs(w, t)) {
+    work.inPairs.assign(p.owned, 0);
+    work.liquid.assign(p.liquid.data(), p.liquid.data() + p.owned);
+  }
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const double f = static_cast<double>(p.liquid[i]);
+    const double compression = compressionOf(x, p, i, f), tension = p.interaction[i] - compression;
+    if (cohesion) work.inPairs[i] = tension;
+    const double own = (cohesion ? 0 : tension) + (w.modules.continuity ? 0 : compression);
+    p.softening[i] = f > 0 ? own / f : 0;
+  }
+  if (w.modules.surfaceEnergy || !(w.modules.continuity || w.modules.incompressible)) softenSolids(w, t);
+}
+
+}  // namespace thaw

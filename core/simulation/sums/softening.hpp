@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Energies of compression and tension, kept or differentiated for the change of phases that ends a step.
+#pragma once
+#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+/// Keeps compression and tension in PhaseEnergyWork::ofPairs. Requires: called after the neighbour sums and
+/// before pair forces of extensions and contacts are added.
+void keepPairEnergy(const World& world, StepTools& tools);
+
+/// Computes Continuum::softening of compression and surface energy from Continuum::interaction, and keeps
+/// pairwise tension. Requires: called after the neighbour sums and before contacts are added. Summed
+/// compression and surface energy are proportional to the particle's liquid fraction, carried compression is
+/// not.
+void beginSoftening(World& world, StepTools& tools);
+
+/// Returns whether the energies of pairwise tension and of pair forces of extensions change with the liquid
+/// fractions of this rank. The energy of a pair is proportional to both fractions.
+bool pairEnergyChanges(const World& world, const StepTools& tools);
+/// Records this change at the same positions in Ledger::phaseJump and Continuum::interaction, with a further
+/// sum over pairs. Requires: liquid fractions of ghosts, and the records of this step.
+void recordPairEnergyChange(World& world, StepTools& tools);
+
+}  // namespace thaw

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stored energies of an evaluation, kept until heat has changed the phases of the step.
+#pragma once
+#include <vector>
+
+#include "core/contact/solid_contact.hpp"
+#include "core/math/vec3.hpp"
+#include "core/walls/spring_changes.hpp"
+
+namespace thaw {
+
+struct PhaseEnergyWork {
+  std::vector<double> ofPairs;  ///< J, Continuum::interaction of owned rows before contacts: compression and
+                                ///< tension; only where volumes change with the phase or by evaporation
+  std::vector<double> inPairs;  ///< J, pairwise tension and pair forces of extensions, by owned row
+  std::vector<float> liquid;    ///< liquid fractions of owned rows, where these exist
+  std::vector<SpringBefore> springs;
+  std::vector<TouchingPair> touching;
+  std::vector<double> energy, dissipation;  ///< J, W; temporary
+  std::vector<Vec3d> force;                 ///< N, temporary
+};
+
+}  // namespace thaw
