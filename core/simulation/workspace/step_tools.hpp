@@ -8,6 +8,7 @@
 #include "core/contact/solid_contact.hpp"
 #include "core/domain/emit.hpp"
 #include "core/domain/field_update.hpp"
+#include "core/domain/model_part.hpp"
 #include "core/domain/outside_forces.hpp"
 #include "core/flow/density/carry_work.hpp"
 #include "core/flow/implicit_viscosity/viscous_work.hpp"
@@ -37,8 +38,6 @@
 #include "core/walls/tables.hpp"
 
 namespace thaw {
-
-struct LightWork;
 
 /// Work data of a step, made once (core/simulation/setup/) and reused. Not part of the state.
 struct StepTools {
@@ -77,10 +76,10 @@ struct StepTools {
   SleepWork sleep;
   RigidWork rigid;
   ContactHeatWork contactHeat;
-  std::shared_ptr<LightWork> light;  ///< null without heat sources
   std::vector<BondRequest> requests;
   std::vector<std::uint32_t> rebonded;  ///< rows of particles with new bonds
   std::vector<OutsideSource> outside;   ///< with Continuum::outsideForce
+  std::vector<ActiveTerm> terms;        ///< of the scene, in the order of their list
   std::vector<PairForceWork> pairForces;
   std::vector<FieldUpdate> fieldUpdates;
   StepPhases phases;  ///< calls of the scene's modules

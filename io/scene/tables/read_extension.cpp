@@ -29,6 +29,7 @@ void readKeys(TableReader& r, const Extension& e, ExtensionSettings& settings) {
 std::string otherUses(const Extension& e) {
   std::string uses;
   if (e.hasLaw()) uses += "; use its elastic law by material.NAME.law = \"" + e.name + "\"";
+  if (e.model) uses += "; it is a term of the library, whose keys `thaw docs` lists";
   if (e.shape) uses += "; use its shape by " + e.name + " = { ... } in a body or an obstacle";
   return uses;
 }

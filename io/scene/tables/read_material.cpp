@@ -12,6 +12,7 @@
 #include "io/scene/tables/read_flow_law.hpp"
 #include "io/scene/tables/read_heat_exchange.hpp"
 #include "io/scene/tables/read_sections.hpp"
+#include "io/scene/tables/read_terms.hpp"
 #include "io/scene/text/value_text.hpp"
 
 namespace thaw {
@@ -59,11 +60,6 @@ void readDensity(TableReader& r, Material& m) {
   if (r.hasList("density") || !m.densityTable.empty())
     r.pairs({"density", "K", "kg/m^3", {0, never, true, false, false}, positive(), "", ""}, m.densityTable);
   else readDensityAtRest(r, m);
-  r.number(
-      "expansion", m.expansion, "1/K", between(-0.1, 0.1),
-      "coefficient of volume expansion of the liquid. It causes buoyancy; volumes at rest do not change");
-  r.number("expansion_from", m.expansionFrom, "K", notNegative(),
-           "temperature at which the liquid has `density`; 0: `domain.ambient`");
 }
 
 void readTension(TableReader& r, Material& m) {
@@ -185,13 +181,7 @@ void readHeat(TableReader& r, Material& m) {
   }
   r.number("hysteresis", m.hysteresis, "", Range{0, 0.5, false, true, false},
            "liquid freezes below this liquid fraction, solid melts above 1 minus it");
-  r.number("heat_source", m.heatSource, "W/kg", anyNumber(), "heat produced in the material");
-  r.number("emissivity", m.emissivity, "", between(0, 1),
-           "emissivity of free surfaces, for radiation to `domain.ambient`");
-  r.number("convection", m.convection, "W/(m^2 K)", notNegative(),
-           "heat transfer coefficient of free surfaces to `domain.ambient`");
-  r.number("absorptivity", m.absorptivity, "", between(0, 1),
-           "fraction of the light of lamps and lasers that the material absorbs; it reflects the rest");
+  readTermKeys(r, m);
   r.number("paper_diffusivity", m.paperDiffusivity, "m^2/s", notNegative(),
            "k_heat of Keiser et al. 2005, with `numerics.heat = \"paper\"`");
 }

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/scene/modules.hpp"
+#include "core/domain/find_modules.hpp"
 
 #include <algorithm>
 #include <iterator>
 
+#include "core/domain/extensions.hpp"
 #include "core/scene/buoyancy.hpp"
 #include "core/scene/material_use.hpp"
 #include "core/scene/phase_density.hpp"
 #include "core/scene/tension_form.hpp"
 
 namespace thaw {
-
-bool solidAt(const Material& m, double T) {
-  return m.canBeSolid() && (m.melts() ? T < m.liquidus : !m.liquidAtStart);
-}
-
 namespace {
 
 std::string quoted(const std::string& name) { return "'" + name + "'"; }
@@ -40,6 +36,16 @@ struct Finder {
     m.why.push_back(std::string(name) + ": " + why);
   }
 };
+
+/// Activates the modules of terms of the model: of those that heat, or of the others.
+void findTerms(Finder& f, bool heat) {
+  for (const Extension* term : modelTerms()) {
+    if (term->heats != heat || !term->model->uses) continue;
+    bool listed = false;  // a term without a module of its own
+    for (const ModuleUse& use : term->model->uses(f.s, f.m))
+      f.on(use.module ? f.m.*use.module : listed, use.name, use.why);
+  }
+}
 
 /// Activates heat if temperatures differ or something heats or cools.
 void findHeat(Finder& f) {
@@ -68,25 +74,12 @@ void findHeat(Finder& f) {
   for (const Obstacle& o : s.obstacles)
     if (o.temperature && conducts)
       f.on(f.m.heat, "heat", "obstacle " + quoted(o.name) + " has a temperature");
-  if (!s.thermostats.empty()) f.on(f.m.heat, "heat", "a [[thermostat]] changes the temperature");
-  const auto source = [&](const auto& list, const char* kind) {
-    for (const auto& one : list) {
-      f.on(f.m.heat, "heat", std::string(kind) + " " + quoted(one.name) + " heats bodies");
-      f.on(f.m.lamps, "heat sources", std::string(kind) + " " + quoted(one.name));
-    }
-  };
-  if (hasContinuum(s)) {
-    source(s.lamps, "lamp"), source(s.lasers, "laser"), source(s.heatedRegions, "heated region");
+  findTerms(f, true);
+  if (hasContinuum(s))
     for (const ExtensionSettings& e : s.extensions)
       if (e.heats) f.on(f.m.heat, "heat", "extension " + quoted(e.name) + " heats bodies");
-  }
   for (const Material& m : s.materials) {
     if (!m.evaporation.empty()) f.on(f.m.heat, "heat", "material " + quoted(m.name) + " evaporates");
-    if (m.heatSource != 0) f.on(f.m.heat, "heat", "material " + quoted(m.name) + " has a heat source");
-    if (m.convection > 0 || m.emissivity > 0) {
-      f.on(f.m.heat, "heat", "material " + quoted(m.name) + " exchanges heat with the ambient");
-      f.on(f.m.surfaceHeat, "surface heat", "material " + quoted(m.name) + " has convection or emissivity");
-    }
     if (!m.viscosityTable.empty() || m.flowLaw.consistency.size() > 1 || m.flowLaw.yieldStress.size() > 1)
       f.on(f.m.heat, "heat", "the viscosity of material " + quoted(m.name) + " depends on the temperature");
     if (!m.surfaceTensionTable.empty())
@@ -185,22 +178,15 @@ void findLiquidLaws(Finder& f, const Material& x, const std::string& who) {
     f.on(m.evaporation, "evaporation", who + " loses mass at free surfaces of its liquid");
 }
 
-/// Activates contact conductance, drag of mushes and buoyancy.
+/// Activates contact conductance and drag of mushes.
 void findHeatLaws(Finder& f, const Material& x, const std::string& who) {
   const Scene& s = f.s;
   Modules& m = f.m;
-  const bool liquid = m.fluid && (!x.canBeSolid() || x.liquidAtStart || (x.melts() && m.heat));
   if (m.heat && x.contactConductance < never && s.bodies.size() + s.emitters.size() > 1)
     f.on(m.contactConductance, "contact conductance",
          "heat from " + who + " to other bodies meets a resistance");
   if (m.melting && x.melts() && x.mushDrag > 0)
     f.on(m.mushDrag, "mush drag", who + " slows its liquid beside solids between solidus and liquidus");
-  if (liquid && m.heat && expands(x) && hasBuoyancy(s))
-    f.on(m.buoyancy, "buoyancy",
-         "the density of " + who + " depends on the temperature; " +
-             (s.numerics.buoyancy == Buoyancy::Boussinesq
-                  ? "only differences of density act (`numerics.buoyancy = \"boussinesq\"`)"
-                  : "its weight acts, too (`numerics.buoyancy = \"density\"`)"));
 }
 
 /// Activates the modules that the solid of a material needs.
@@ -323,6 +309,7 @@ Modules modulesOf(const Scene& s) {
     f.on(m.incompressible, "incompressible liquid", "numerics.pressure_solver");
   findSubsteps(f, elastic);
   findNeighbourUse(f);
+  findTerms(f, false);
   m.uniform = isUniform(s, m);
   return f.m;
 }
