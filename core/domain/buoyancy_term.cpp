@@ -16,10 +16,10 @@ void readExpansion(KeyTable& keys, Material& m) {
 }
 
 std::vector<ModuleUse> usesOfBuoyancy(const Scene& s, const Modules& m) {
-  if (!m.fluid || !m.heat || !hasBuoyancy(s)) return {};
+  if (!m.heat || !hasBuoyancy(s)) return {};
   for (std::size_t k = 0; k < s.materials.size(); k++) {
     const Material& x = s.materials[k];
-    if (!inUse(s, k) || !expands(x) || !(!x.canBeSolid() || x.liquidAtStart || x.melts())) continue;
+    if (!inUse(s, k) || !expands(x) || !hasLiquid(m, x)) continue;
     return {{&Modules::buoyancy, "buoyancy",
              "the density of material '" + x.name + "' depends on the temperature; " +
                  (s.numerics.buoyancy == Buoyancy::Boussinesq

@@ -8,7 +8,6 @@
 #include "core/scene/buoyancy.hpp"
 #include "core/scene/material_use.hpp"
 #include "core/scene/phase_density.hpp"
-#include "core/scene/tension_form.hpp"
 
 namespace thaw {
 namespace {
@@ -154,25 +153,13 @@ int findPhases(Finder& f, std::vector<bool>& used) {
 void findLiquidLaws(Finder& f, const Material& x, const std::string& who) {
   const Numerics& n = f.s.numerics;
   Modules& m = f.m;
-  const bool liquid = m.fluid && (!x.canBeSolid() || x.liquidAtStart || (x.melts() && m.heat));
-  if (liquid && x.surfaceTension > 0) f.on(m.tension, "surface tension", who);
-  if (m.tension && n.tension == TensionForm::SurfaceEnergy)
-    f.on(m.surfaceEnergy, "surface tension as an energy", "numerics.tension");
-  if (!liquid) return;
-  if (m.surfaceEnergy && !x.surfaceTensionTable.empty())
-    f.on(m.tensionTable, "tension by temperature", "the surface tension of " + who + " is a table");
-  if (m.surfaceEnergy && x.surfaceTension > 0)
-    for (const std::string& where : contactAnglesOf(f.s, x)) f.on(m.contactAngle, "contact angles", where);
+  if (!hasLiquid(m, x)) return;
   if (hasFlowLaw(x)) f.on(m.flowLaw, "flow law", "the viscosity of " + who + " depends on the shear rate");
   const bool viscous = x.viscosity.solid > 0 || x.viscosity.liquid > 0 || !x.viscosityTable.empty() ||
                        hasFlowLaw(x);
   if (viscous && n.viscositySolver == ViscositySolver::Implicit)
     f.on(m.implicitViscosity, "implicit viscosity", who);
   if (viscous && n.viscosityCorrection) f.on(m.viscosityCorrection, "corrected viscosity", who);
-  if (x.xsph > 0) f.on(m.xsph, "velocity smoothing (XSPH)", who);
-  if (x.artificialViscosity > 0) f.on(m.artificialViscosity, "artificial viscosity", who);
-  if (x.surfaceTension > 0 && n.tension == TensionForm::Curvature)
-    f.on(m.artificialViscosity, "artificial viscosity", "the free surface of " + who);
   if (m.continuity && x.bulkDamping > 0) f.on(m.bulkDamping, "bulk damping", who);
   if (!x.evaporation.empty())
     f.on(m.evaporation, "evaporation", who + " loses mass at free surfaces of its liquid");

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "core/domain/outside_forces.hpp"
+#include "core/fluid/pair_sums/pair_kernels.hpp"
+#include "core/fluid/pair_sums/records.hpp"
 #include "core/geometry/basic/shape_error.hpp"
 #include "core/geometry/basic/signed_distance.hpp"
 #include "core/scene/key_table.hpp"
@@ -67,6 +69,24 @@ enum class LoadStage {
   Sources    ///< ModulePhase::AllForces, after evaporation: heat from elsewhere
 };
 
+/// The force that a sum over pairs adds to.
+enum class PairTarget {
+  Force,          ///< Continuum::force
+  ExplicitForce,  ///< the same; with incompressible liquid Continuum::drag
+  PositionForce   ///< Continuum::positionForce, where forces of positions alone are apart; else the force
+};
+
+/// A sum over pairs by the vector code of the library (core/fluid/pair_sums/pair_kernels.hpp). It is called
+/// for inner and boundary groups in turn, after the sum of pressures.
+struct PairSweep {
+  void (*PairKernels::*sum)(const PairSums&, GroupRange);
+  bool (*isOn)(const Numerics&, const Modules&);
+  PairTarget onto = PairTarget::Force;
+  /// Packs records of rows that it reads besides those of pressures; none: no further ones.
+  void (*pack)(const RecordContext&, const Continuum&, std::size_t begin, std::size_t end,
+               PairRecords&) = nullptr;
+};
+
 /// The scene and its meshes, for a term that begins. Errors of shapes are added to problems.
 struct TermSetup {
   const Scene& scene;
@@ -89,6 +109,7 @@ struct ModelPart {
   OutsideSource (*start)(const TermSetup&) = nullptr;
   /// Records work and impulse of the force in a half kick. Called before it.
   void (*recordKick)(const OutsideLoad&, HalfKick) = nullptr;
+  std::vector<PairSweep> sweeps = {};
   const char* limit = nullptr;  ///< of the step, a name in limitNames
                                 ///< (core/simulation/time/step_limits.hpp); null: none
   /// Longest stable step (s) at a time (s), for `limit`; none: set-up or the forces themselves give it.

@@ -10,6 +10,9 @@ namespace thaw {
 // Each in its file NAME_term.cpp.
 Extension gravityTerm();
 Extension buoyancyTerm();
+Extension tensionTerm();
+Extension artificialViscosityTerm();
+Extension smoothingTerm();
 Extension heatExchangeTerm();
 Extension thermostatTerm();
 Extension lightTerm();
@@ -17,8 +20,17 @@ Extension heatedRegionTerm();
 
 /// Returns all terms. They act in this order within a stage, and their keys are listed in it.
 inline std::vector<Extension> ownTerms() {
-  return {gravityTerm(),    buoyancyTerm(), heatExchangeTerm(),
-          thermostatTerm(), lightTerm(),    heatedRegionTerm()};
+  // clang-format off
+  return {gravityTerm(),
+          buoyancyTerm(),
+          tensionTerm(),
+          artificialViscosityTerm(),
+          smoothingTerm(),
+          heatExchangeTerm(),
+          thermostatTerm(),
+          lightTerm(),
+          heatedRegionTerm()};
+  // clang-format on
 }
 
 }  // namespace thaw

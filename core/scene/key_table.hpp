@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/math/vec3.hpp"
+#include "core/scene/flow_law.hpp"
 #include "core/scene/motion.hpp"
 #include "core/scene/shape.hpp"
 
@@ -53,10 +54,15 @@ class KeyTable {
                     std::initializer_list<const char*> others = {}) = 0;
   /// Sets the effect of changes at a restart, for the keys that follow.
   virtual void restart(Restart effect) = 0;
-  /// Describes the next key as one without a default. The caller fails where it is missing.
-  virtual KeyTable& needed() = 0;
+  /// Describes the default of the next key in words.
+  virtual KeyTable& defaultAs(const char* words) = 0;
+  virtual KeyTable& byScene() = 0;  ///< the default follows from the scene
+  virtual KeyTable& needed() = 0;   ///< it has no default; the caller fails where the key is missing
   virtual void number(const char* key, double& value, const char* unit, const Range& range,
                       const char* about) = 0;
+  /// A number, or a table of numbers by temperature.
+  virtual void byTemperature(const char* key, double& value, TemperatureTable& table, const char* unit,
+                             const Range& range, const char* about) = 0;
   virtual void vector(const char* key, Vec3d& value, const char* unit, const char* about) = 0;
   /// One of several words, as its number.
   virtual void choice(const char* key, int& value, const std::vector<std::string>& words,

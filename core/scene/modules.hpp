@@ -68,6 +68,11 @@ inline bool solidAt(const Material& m, double T) {
   return m.canBeSolid() && (m.melts() ? T < m.liquidus : !m.liquidAtStart);
 }
 
+/// Returns true if some particles of the material are or can become liquid in a scene with these modules.
+inline bool hasLiquid(const Modules& modules, const Material& m) {
+  return modules.fluid && (!m.canBeSolid() || m.liquidAtStart || (m.melts() && modules.heat));
+}
+
 /// Returns true if the body is solid at the start.
 inline bool solidAtStart(const Scene& s, const Body& b) {
   return solidAt(s.materials[static_cast<std::size_t>(b.material)], b.temperature);

@@ -6,7 +6,6 @@
 #include "core/domain/extensions.hpp"
 #include "io/scene/read_scene.hpp"
 #include "io/scene/tables/read_sections.hpp"
-#include "io/scene/tables/read_terms.hpp"
 #include "io/scene/text/expression.hpp"
 
 namespace thaw {
@@ -133,11 +132,11 @@ constexpr const char* afterWords =
 /// Lists the terms of the library (core/domain/terms.hpp).
 std::string termsDocumentation() {
   std::string text =
-      "\n## Body forces and heat\n"
+      "\n## Terms of the model\n"
       "\n"
-      "These terms of the library are in one registry with elastic laws and with extensions of programs. A "
-      "term "
-      "without keys in the scene costs nothing.\n"
+      "The library has these terms in one registry with elastic laws and with extensions of programs. A "
+      "scene "
+      "without the keys of a term has none of its cost.\n"
       "\n"
       "| term | keys | limit of the step | in `ledger.csv` | meaning |\n|---|---|---|---|---|\n";
   const auto listed = [](const auto& names) {

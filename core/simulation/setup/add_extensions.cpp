@@ -50,9 +50,12 @@ void addPairForce(World& w, StepTools& t, const Extension& e, const ExtensionSet
 }  // namespace
 
 void startTerms(World& w, StepTools& t, const MeshLoader& load, SceneProblems& problems) {
-  for (const Extension* term : modelTerms())
+  for (const Extension* term : modelTerms()) {
+    for (const PairSweep& sweep : term->model->sweeps)
+      if (sweep.isOn(w.scene.numerics, w.modules)) t.sweeps.push_back(&sweep);
     if (term->model->start && isUsed(*term, w.scene, w.modules))
       t.terms.push_back({&*term->model, term->model->start({w.scene, load, problems})});
+  }
 }
 
 void addExtensions(World& w, StepTools& t) {

@@ -81,6 +81,7 @@ struct StepTools {
   std::vector<OutsideSource> outside;   ///< with Continuum::outsideForce
   std::vector<ActiveTerm> terms;        ///< of the scene, in the order of their list
   std::vector<PairForceWork> pairForces;
+  std::vector<const PairSweep*> sweeps;  ///< of the scene's terms, in the order of their list
   std::vector<FieldUpdate> fieldUpdates;
   StepPhases phases;  ///< calls of the scene's modules
   StepHooks hooks;

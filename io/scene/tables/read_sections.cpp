@@ -5,7 +5,6 @@
 #include "core/scene/quality.hpp"
 #include "io/scene/tables/read_extension.hpp"
 #include "io/scene/tables/read_shape.hpp"
-#include "io/scene/tables/read_terms.hpp"
 
 namespace thaw {
 

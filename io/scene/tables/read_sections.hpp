@@ -6,6 +6,7 @@
 
 namespace thaw {
 
+struct ModelPart;
 struct TermTable;
 
 /// Name of the material of a body or emitter. reported: the name was refused before.
@@ -71,6 +72,14 @@ void readEmitter(TableReader& reader, Emitter& emitter, SceneReading& reading);
 /// recorded.
 void readMaterialName(TableReader& reader, const SceneReading& reading, int place,
                       std::vector<MaterialName>& names, const char* about);
+/// Reads the lists of tables of all terms of the model (core/domain/terms.hpp), such as [[lamp]].
+void readTermTables(TableReader& top, SceneReading& reading);
+/// Reads their keys in [domain].
+void readTermKeys(TableReader& reader, Domain& domain);
+/// Reads the keys in [material.NAME] of terms that heat, or of the others.
+void readTermKeys(TableReader& reader, Material& material, bool heat);
+/// Returns the tables and keys of a term: "[[lamp]]", "material.NAME.absorptivity".
+std::vector<std::string> keysOf(const ModelPart& term);
 void readObstacle(TableReader& reader, Obstacle& obstacle, SceneReading& reading);
 
 /// Checks references, duplicates and sizes, which concern several tables. Adds to errors.

@@ -3,7 +3,6 @@
 
 #include "io/scene/tables/read_extension.hpp"
 #include "io/scene/tables/read_sections.hpp"
-#include "io/scene/tables/read_terms.hpp"
 #include "io/scene/text/nearest_word.hpp"
 
 namespace thaw {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/scene/tables/read_terms.hpp"
+#include "io/scene/tables/read_sections.hpp"
 
 #include "core/domain/extensions.hpp"
 #include "io/scene/tables/read_shape.hpp"
@@ -28,10 +28,18 @@ class TermKeys : public KeyTable {
     r_.fail(key, text, others);
   }
   void restart(Restart effect) override { r_.restart(effect); }
+  KeyTable& defaultAs(const char* words) override { return r_.defaultAs(words), *this; }
+  KeyTable& byScene() override { return r_.byScene(), *this; }
   KeyTable& needed() override { return r_.needed(), *this; }
   void number(const char* key, double& value, const char* unit, const Range& range,
               const char* about) override {
     r_.number(key, value, unit, range, about);
+  }
+  void byTemperature(const char* key, double& value, TemperatureTable& table, const char* unit,
+                     const Range& range, const char* about) override {
+    if (r_.hasList(key) || !table.empty())
+      r_.pairs({key, "K", unit, {0, never, true, false, false}, positive(), "", ""}, table);
+    else r_.orAs(KeyForm::Type::Pairs).number(key, value, unit, range, about);
   }
   void vector(const char* key, Vec3d& value, const char* unit, const char* about) override {
     r_.vector(key, value, unit, about);
@@ -93,10 +101,10 @@ void readTermKeys(TableReader& r, Domain& domain) {
     if (term->model->domainKeys) term->model->domainKeys(keys, domain);
 }
 
-void readTermKeys(TableReader& r, Material& material) {
+void readTermKeys(TableReader& r, Material& material, bool heat) {
   TermKeys keys(r);
   for (const Extension* term : modelTerms())
-    if (term->model->materialKeys) term->model->materialKeys(keys, material);
+    if (term->heats == heat && term->model->materialKeys) term->model->materialKeys(keys, material);
 }
 
 std::vector<std::string> keysOf(const ModelPart& term) {
