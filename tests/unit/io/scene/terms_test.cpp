@@ -48,10 +48,8 @@ TEST(Terms, LimitsAreThoseOfTheStep) {
   for (const Extension* term : modelTerms()) {
     const char* limit = term->model->limit;
     EXPECT_TRUE(limit || !term->model->stepLimit) << term->name;
-    if (limit)
-      EXPECT_TRUE(std::any_of(limitNames.begin(), limitNames.end(), [&](std::string_view name) {
-        return name == limit;
-      })) << limit;
+    const auto isLimit = [&](std::string_view name) { return limit && name == limit; };
+    EXPECT_TRUE(!limit || std::any_of(limitNames.begin(), limitNames.end(), isLimit)) << term->name;
   }
 }
 
