@@ -84,7 +84,7 @@ TEST(Terms, SourcesOfASceneHaveDefaultNamesAndMaterials) {
   EXPECT_EQ(s.heatedRegions[0].name, "heated region 0");
   EXPECT_EQ(s.heatedRegions[0].material, 0);
   EXPECT_EQ(s.heatedRegions[1].material, -1);
-  EXPECT_EQ(s.heatedRegions[1].where.line, 14);
+  EXPECT_EQ(s.heatedRegions[1].where.line, 15);
   EXPECT_EQ(s.thermostats[0].material, 0);
 }
 
