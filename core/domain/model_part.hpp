@@ -110,8 +110,8 @@ struct ModelPart {
   /// Records work and impulse of the force in a half kick. Called before it.
   void (*recordKick)(const OutsideLoad&, HalfKick) = nullptr;
   std::vector<PairSweep> sweeps = {};
-  const char* limit = nullptr;  ///< of the step, a name in limitNames
-                                ///< (core/simulation/time/step_limits.hpp); null: none
+  /// Limit of the step, a name in limitNames (core/simulation/time/step_limits.hpp); null: none.
+  const char* limit = nullptr;
   /// Longest stable step (s) at a time (s), for `limit`; none: set-up or the forces themselves give it.
   double (*stepLimit)(const Scene&, double time) = nullptr;
   std::vector<const char*> energies = {};  ///< columns of ledger.csv that have its work or heat

@@ -10,7 +10,7 @@
 namespace thaw {
 namespace {
 
-constexpr double insideFraction = 0.7;       // fraction of the kernel
+constexpr double insideFraction = 0.7;  // fraction of the kernel
 constexpr double inObstacle = 0.25;  // spacings; thin surfaces penetrate as deep as the contact spring allows
 
 }  // namespace

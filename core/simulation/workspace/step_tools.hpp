@@ -79,9 +79,9 @@ struct StepTools {
   std::vector<BondRequest> requests;
   std::vector<std::uint32_t> rebonded;  ///< rows of particles with new bonds
   std::vector<OutsideSource> outside;   ///< with Continuum::outsideForce
-  std::vector<ActiveTerm> terms;        ///< of the scene, in the order of their list
+  std::vector<ActiveTerm> terms;        ///< terms of the scene, in the order of their list
   std::vector<PairForceWork> pairForces;
-  std::vector<const PairSweep*> sweeps;  ///< of the scene's terms, in the order of their list
+  std::vector<const PairSweep*> sweeps;  ///< sums of the scene's terms, in their order
   std::vector<FieldUpdate> fieldUpdates;
   StepPhases phases;  ///< calls of the scene's modules
   StepHooks hooks;
