@@ -6,6 +6,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "core/domain/terms.hpp"
+
 namespace thaw {
 namespace {
 
@@ -21,23 +23,29 @@ Extension extensionOf(const BuiltInLaw& row) {
 
 /// Returns the extensions of the library itself, available in all programs.
 std::vector<Extension> ownExtensions() {
-  std::vector<Extension> all;
+  std::vector<Extension> all = ownTerms();
   for (const BuiltInLaw& row : builtInLaws()) all.push_back(extensionOf(row));
   return all;
 }
 
-void enter(Extension e, Extensions& all) {
+struct Registry {
+  Extensions all;
+  std::vector<const Extension*> terms;  // in the order of ownExtensions
+};
+
+void enter(Extension e, Registry& registry) {
   std::vector<std::string> keys;
   for (const ExtensionKey& key : e.keys) keys.push_back(key.name);
   if (e.hasLaw() && e.law.builtIn < 0) addElasticLaw(e.name, e.law, keys);
   if (e.shape) addExtensionShape(e.name, e.shape);
   const std::string name = e.name;
-  all.emplace(name, std::move(e));
+  const Extension& entered = registry.all.emplace(name, std::move(e)).first->second;
+  if (entered.model) registry.terms.push_back(&entered);
 }
 
-Extensions& registered() {
-  static Extensions all = [] {
-    Extensions own;
+Registry& registry() {
+  static Registry all = [] {
+    Registry own;
     for (Extension& e : ownExtensions()) {
       e.builtIn = true;
       enter(std::move(e), own);
@@ -46,6 +54,8 @@ Extensions& registered() {
   }();
   return all;
 }
+
+const Extensions& registered() { return registry().all; }
 
 bool isName(const std::string& s) {
   return !s.empty() && std::all_of(s.begin(), s.end(), [](char c) {
@@ -95,6 +105,8 @@ void check(const Extension& e) {
     throw std::invalid_argument("extension '" + e.name +
                                 "': expected a name of letters, digits and underscores");
   if (findExtension(e.name)) throw std::invalid_argument("extension '" + e.name + "' is registered already");
+  if (e.model)
+    throw std::invalid_argument("extension '" + e.name + "': only terms of the library have a model part");
   if (!e.usesTable() && !e.hasLaw() && !e.shape)
     throw std::invalid_argument("extension '" + e.name +
                                 "' has no part: expected a load, fields, a pair force, a law or a shape");
@@ -128,7 +140,7 @@ void completeShape(Shape& s) {
 
 void registerExtension(Extension e) {
   check(e);
-  enter(std::move(e), registered());
+  enter(std::move(e), registry());
 }
 
 const Extension* findExtension(const std::string& name) {
@@ -152,6 +164,12 @@ std::vector<std::string> lawNames() {
   return names;
 }
 
+const std::vector<const Extension*>& modelTerms() { return registry().terms; }
+
+bool isUsed(const Extension& term, const Scene& scene, const Modules& modules) {
+  return term.model->uses && !term.model->uses(scene, modules).empty();
+}
+
 void completeExtensions(Scene& scene) {
   for (ExtensionSettings& s : scene.extensions) complete(s);
   for (Material& m : scene.materials) complete(m.law);
@@ -161,6 +179,9 @@ void completeExtensions(Scene& scene) {
   }
   for (Obstacle& o : scene.obstacles) completeShape(o.shape);
   for (OrientedBody& b : scene.oriented) completeShape(b.shape);
+  eachTermElement(scene, [](const Extension&, const TermTable&, const TermElement& element) {
+    if (element.shape) completeShape(*element.shape);
+  });
 }
 
 void declareFields(const Scene& scene, Continuum& particles) {

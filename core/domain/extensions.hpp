@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts that a program adds to the model and scenes name: forces, sources of heat, fields, forces between
-// particles, elastic laws and shapes, with declared keys.
+// Registry of the parts of the model that scenes name, with declared keys: forces, sources of heat, fields,
+// forces between particles, elastic laws and shapes, of the library and of programs.
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/domain/field_update.hpp"
+#include "core/domain/model_part.hpp"
 #include "core/domain/outside_forces.hpp"
 #include "core/fluid/pair_sums/extension_pair_force.hpp"
 #include "core/geometry/basic/extension_shape.hpp"
@@ -37,6 +39,7 @@ struct ExtensionField {
 /// - [extension.NAME]: its load, fields, pair force;
 /// - material.LABEL.law = "NAME": its law, whose keys are in [material.LABEL.NAME];
 /// - NAME = { keys } where a shape is expected: its shape.
+/// A term of the library has a model part, and keys in the scene's own tables instead.
 /// An extension may have several of these parts, and then uses its keys in each of them.
 struct Extension {
   std::string name = {};   ///< letters, digits, _
@@ -52,11 +55,12 @@ struct Extension {
   PairForce pairForce = {};  ///< with kernels
   ElasticLaw law = {};       ///< with lanes or response
   ShapeMaker shape = {};
-  bool heats = false;    ///< its load adds heat: a scene that names it has heat
-  bool builtIn = false;  ///< in the library: all programs have it
+  bool heats = false;                   ///< its load adds heat: a scene that names it has heat
+  bool builtIn = false;                 ///< in the library: all programs have it
+  std::optional<ModelPart> model = {};  ///< with keys in the scene's own tables; for the library alone
 
   /// Returns true if it has a part that [extension.NAME] turns on.
-  bool usesTable() const { return load || !fields.empty() || update || pairForce.kernels.sum; }
+  bool usesTable() const { return !model && (load || !fields.empty() || update || pairForce.kernels.sum); }
   bool hasLaw() const { return law.lanes || law.response; }
 };
 
@@ -70,6 +74,16 @@ const Extension* findExtension(const std::string& name);
 std::vector<std::string> extensionNames(const std::function<bool(const Extension&)>& has);
 /// Returns the names of all elastic laws: those of the library in the order of their table, then others.
 std::vector<std::string> lawNames();
+/// Returns the extensions of the library with a model part, in the order of their list.
+const std::vector<const Extension*>& modelTerms();
+/// Returns true if a scene with these modules uses the term.
+bool isUsed(const Extension& term, const Scene& scene, const Modules& modules);
+/// Calls use(term, table, element) for each element of the tables of terms, such as each lamp.
+template<class Use> void eachTermElement(Scene& scene, Use&& use) {
+  for (const Extension* term : modelTerms())
+    for (const TermTable& table : term->model->tables)
+      for (std::size_t k = 0; k < table.size(scene); k++) use(*term, table, table.at(scene, k));
+}
 
 /// Adds the defaults of keys that a scene made in code leaves out, and sets which extensions heat.
 void completeExtensions(Scene& scene);

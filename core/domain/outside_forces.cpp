@@ -11,13 +11,14 @@ bool isFree(const Continuum& p, std::size_t i) {
   return !(p.clamped.active && p.clamped[i]) && !(p.sleep.active && p.sleep[i] != awake);
 }
 
-void addOutsideLoads(const std::vector<OutsideSource>& sources, Continuum& p, Ledger& ledger, double time,
-                     double dt) {
+void addOutsideLoads(const std::vector<OutsideSource>& sources, OutsideLoad load) {
+  Continuum& p = load.particles;
   const std::size_t n = p.owned;
   std::fill_n(p.outsideForce.data(), n, Vec3d{});
   std::vector<double> heat(p.heatFlow.active ? n : 0, 0.0);
-  for (const OutsideSource& source : sources)
-    source({p, time, p.outsideForce.data(), heat.empty() ? nullptr : heat.data()});
+  load.force = p.outsideForce.data();
+  load.heat = heat.empty() ? nullptr : heat.data();
+  for (const OutsideSource& source : sources) source(load);
   for (std::size_t i = 0; i < n; i++) {
     if (isFree(p, i)) p.force[i] += p.outsideForce[i];
     else p.outsideForce[i] = {};
@@ -25,7 +26,7 @@ void addOutsideLoads(const std::vector<OutsideSource>& sources, Continuum& p, Le
   for (std::size_t i = 0; i < heat.size(); i++) {
     if (heat[i] == 0) continue;
     p.heatFlow[i] += heat[i];
-    ledger.heatIn.add(heat[i] * dt);
+    load.run.ledger.heatIn.add(heat[i] * load.dt);
   }
 }
 

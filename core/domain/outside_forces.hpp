@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forces and heat that a program adds to the particles of a simulation.
 #pragma once
+#include <cstdint>
 #include <functional>
 #include <vector>
 
+#include "core/halo/halo.hpp"
+#include "core/heat/heat_view.hpp"
 #include "core/ledger/ledger.hpp"
 #include "core/particles/continuum.hpp"
+#include "core/walls/walls.hpp"
 
 namespace thaw {
 
@@ -13,22 +17,28 @@ namespace thaw {
 /// positions and velocities are those at `time`.
 struct OutsideLoad {
   Continuum& particles;
-  double time = 0;         ///< s
-  Vec3d* force = nullptr;  ///< N, to be added to
-  double* heat = nullptr;  ///< W, to be added to; null in a scene without heat
+  double time;         ///< s
+  Vec3d* force;        ///< N, to be added to
+  double* heat;        ///< W, to be added to; null in a scene without heat
+  double dt;           ///< s, length of the step that ends at `time`; 0 at the start of a run
+  HeatView run;        ///< scene, modules, ledger; its clock is at the beginning of the step
+  const Walls& walls;  ///< obstacles and sides of the domain, at `time`
+  Reducer& all;        ///< reductions over all ranks
+  const std::vector<std::uint8_t>* steady;  ///< rows without force and heat (WallContext::steady), or null
 };
 
 /// Called once in every evaluation of forces, on every rank, also on ranks without particles. For the same
-/// bits on any number of ranks, a load must follow from the particle's own fields and the time alone.
+/// bits on any number of ranks, a load must follow from the particle's own fields, the scene, the walls and
+/// the time, and from exact sums or maxima over all ranks.
 using OutsideSource = std::function<void(const OutsideLoad&)>;
 
 /// Returns true if a particle is neither clamped nor sleeping, so that forces move it.
 bool isFree(const Continuum& particles, std::size_t row);
 
 /// Sets Continuum::outsideForce from all sources, and adds it to the forces of particles that are free to
-/// move. Heat is added to Continuum::heatFlow and recorded for the step dt (s) in the ledger.
-void addOutsideLoads(const std::vector<OutsideSource>& sources, Continuum& particles, Ledger& ledger,
-                     double time, double dt);
+/// move. Heat is added to Continuum::heatFlow and recorded for the step in the ledger. load: with arrays of
+/// any value.
+void addOutsideLoads(const std::vector<OutsideSource>& sources, OutsideLoad load);
 
 /// The half kick that follows: with the accelerations of the last step, or with the forces of this one.
 enum class HalfKick { First, Second };

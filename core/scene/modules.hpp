@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Modules of the model that a scene needs. An inactive module allocates no field, runs no loop and sends no
-// data.
+// Modules of the model that a scene needs (core/domain/find_modules.hpp). An inactive module allocates no
+// field, runs no loop and sends no data.
 #pragma once
 #include <string>
 #include <vector>
@@ -65,10 +65,15 @@ struct Modules {
   std::vector<std::string> why;  ///< one line per active module: "heat: obstacle 'plate' has a temperature"
 };
 
-Modules modulesOf(const Scene& scene);
-
 /// Returns true if a body of the material is solid at this initial temperature (K).
-bool solidAt(const Material& material, double T);
+inline bool solidAt(const Material& m, double T) {
+  return m.canBeSolid() && (m.melts() ? T < m.liquidus : !m.liquidAtStart);
+}
+
+/// Returns true if some particles of the material are or can become liquid in a scene with these modules.
+inline bool hasLiquid(const Modules& modules, const Material& m) {
+  return modules.fluid && (!m.canBeSolid() || m.liquidAtStart || (m.melts() && modules.heat));
+}
 
 /// Returns true if the body is solid at the start.
 inline bool solidAtStart(const Scene& s, const Body& b) {

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 
+#include "core/domain/extensions.hpp"
 #include "io/scene/read_scene.hpp"
 #include "io/scene/tables/read_sections.hpp"
 
@@ -52,37 +54,38 @@ class BuiltSceneCheck {
     nameAll(scene_.sheets);
     nameAll(scene_.emitters);
     nameAll(scene_.obstacles);
-    nameAll(scene_.lamps);
-    nameAll(scene_.lasers);
-    nameAll(scene_.heatedRegions);
+    std::map<const TermTable*, std::size_t> count;
+    eachTermElement(scene_, [&](const Extension&, const TermTable& table, const TermElement& one) {
+      const std::size_t k = count[&table]++;
+      if (one.name && one.name->empty()) *one.name = std::to_string(k);
+    });
   }
 
-  /// Collects the names of materials, which the reader's checks use. Adds an error for each missing material.
-  template<class T>
-  void refer(const std::vector<T>& list, const std::string& what, std::vector<MaterialName>& names, bool all,
-             std::vector<SceneError>& errors) const {
+  /// Returns the name of a material, which the reader's checks use. Adds an error for a missing one.
+  /// all: -1 is all materials.
+  MaterialName refer(int m, const SourcePlace& where, const std::string& owner, bool all,
+                     std::vector<SceneError>& errors) const {
     const int n = static_cast<int>(scene_.materials.size());
-    for (std::size_t k = 0; k < list.size(); k++) {
-      const int m = list[k].material;
-      if (m >= 0 && m < n) {
-        names.push_back({scene_.materials[static_cast<std::size_t>(m)].name, list[k].where});
-        continue;
-      }
-      names.push_back({"", list[k].where});
-      if (all && m == -1) continue;
-      std::string owner = what + "." + std::to_string(k);
-      if constexpr (requires { list[k].name; }) owner = what + "." + list[k].name;
-      errors.push_back({list[k].where, fmt::format("{}.material: expected the number of a material, of which "
-                                                   "the scene has {}, got {}",
-                                                   owner, n, m)});
-    }
+    if (m >= 0 && m < n) return {scene_.materials[static_cast<std::size_t>(m)].name, where};
+    if (!all || m != -1)
+      errors.push_back({where, fmt::format("{}.material: expected the number of a material, of which the "
+                                           "scene has {}, got {}",
+                                           owner, n, m)});
+    return {"", where};
   }
 
   void addReferences(std::vector<SceneError>& errors) {
-    refer(scene_.bodies, "body", reading_.bodyMaterials, false, errors);
-    refer(scene_.emitters, "emitter", reading_.emitterMaterials, false, errors);
-    refer(scene_.thermostats, "thermostat", reading_.thermostatMaterials, true, errors);
-    refer(scene_.heatedRegions, "heated_region", reading_.regionMaterials, true, errors);
+    for (const Body& b : scene_.bodies)
+      reading_.bodyMaterials.push_back(refer(b.material, b.where, "body." + b.name, false, errors));
+    for (const Emitter& e : scene_.emitters)
+      reading_.emitterMaterials.push_back(refer(e.material, e.where, "emitter." + e.name, false, errors));
+    std::map<const TermTable*, std::size_t> count;
+    eachTermElement(scene_, [&](const Extension&, const TermTable& table, const TermElement& one) {
+      const std::size_t k = count[&table]++;
+      if (!one.material) return;
+      const std::string owner = std::string(table.key) + "." + (one.name ? *one.name : std::to_string(k));
+      reading_.termMaterials.push_back({refer(*one.material, *one.where, owner, true, errors), &table, k});
+    });
   }
 
   void addDomain(std::vector<SceneError>& errors) const {

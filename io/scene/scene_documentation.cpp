@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/domain/extensions.hpp"
 #include "io/scene/read_scene.hpp"
 #include "io/scene/tables/read_sections.hpp"
 #include "io/scene/text/expression.hpp"
@@ -130,6 +131,28 @@ constexpr const char* afterWords =
     "error.\n"
     "A temperature that depends on position switches heat on where something conducts heat or melts.\n";
 
+/// Lists the terms of the library (core/domain/terms.hpp).
+std::string termsDocumentation() {
+  std::string text =
+      "\n## Terms of the model\n"
+      "\n"
+      "The library has these terms in one registry with elastic laws and with extensions of programs. A "
+      "scene "
+      "without the keys of a term has none of its cost.\n"
+      "\n"
+      "| term | keys | limit of the step | in `ledger.csv` | meaning |\n|---|---|---|---|---|\n";
+  const auto listed = [](const auto& names) {
+    std::string list;
+    for (const auto& name : names) list += fmt::format("{}`{}`", list.empty() ? "" : ", ", name);
+    return list;
+  };
+  for (const Extension* term : modelTerms())
+    text += fmt::format("| {} | {} | {} | {} | {} |\n", term->name, listed(keysOf(*term->model)),
+                        term->model->limit ? term->model->limit : "", listed(term->model->energies),
+                        cell(term->about));
+  return text;
+}
+
 }  // namespace
 
 const char* exampleScene() {
@@ -165,6 +188,7 @@ std::string sceneDocumentation() {
   std::string text(introduction);
   text += exampleScene();
   text += afterExample + std::string(expressionWords) + afterWords;
+  text += termsDocumentation();
   std::vector<std::string> tables;
   for (const KeyDescription& k : keys)
     if (std::find(tables.begin(), tables.end(), k.table) == tables.end()) tables.push_back(k.table);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/domain/extensions.hpp"
 #include "core/scene/buoyancy.hpp"
 #include "core/scene/modules.hpp"
 #include "io/frames/frame_fields.hpp"
@@ -87,9 +88,10 @@ void addEndlessCooling(const Scene& s, std::vector<std::string>& lines) {
 
 /// Warns of materials that melt in a scene without any heat.
 void addMaterialsWithoutHeat(const Scene& s, std::vector<std::string>& lines) {
-  if (s.numerics.heat == HeatModel::Paper || !s.thermostats.empty() || !s.lamps.empty() ||
-      !s.lasers.empty() || !s.heatedRegions.empty())
-    return;
+  if (s.numerics.heat == HeatModel::Paper) return;
+  for (const Extension* term : modelTerms())
+    for (const TermTable& table : term->model->tables)
+      if (term->heats && table.size(s) > 0) return;
   for (const Material& m : s.materials)
     if (m.melts() && m.conductivity.solid == 0 && m.conductivity.liquid == 0 && m.convection == 0 &&
         m.emissivity == 0 && m.heatSource == 0)

@@ -128,8 +128,28 @@ Extension copyOfBall() {
           }};
 }
 
+/// A force along gravity on the particles on one side of a moving obstacle, over the mass of all particles.
+/// It reads the scene, the walls, and a sum over all ranks.
+Extension shade() {
+  return {.name = "shade", .about = "a force below an obstacle", .load = [](const ExtensionSettings&) {
+            return [](const OutsideLoad& load) {
+              const Continuum& p = load.particles;
+              ExactSum mass;
+              for (std::size_t i = 0; i < p.owned; i++) mass.add(p.mass[i]);
+              mass.carry();
+              load.all.sum(mass.digit);
+              const Wall& lid = load.walls.list[0];
+              for (std::size_t i = 0; i < p.owned; i++)
+                if (p.position[i].x < lid.pose.move.x)
+                  load.force[i] += load.run.scene.domain.gravity *
+                                   (p.mass[i] * p.mass[i] / mass.value() * (load.dt > 0 ? 100 : 0));
+            };
+          }};
+}
+
 void registerAll() {
   if (findExtension("age")) return;
+  registerExtension(shade());
   for (Extension e :
        {age(), springs(), copyOfTension(), copyOfNeoHookean(), scalarCopyOfNeoHookean(), copyOfBall()})
     registerExtension(std::move(e));
@@ -195,6 +215,20 @@ std::string messageOf(const std::string& text) {
     simulationOf(text);
   } catch (const std::exception& e) { return e.what(); }
   return "accepted";
+}
+
+TEST(ExtensionLoads, ReadTheSceneTheWallsAndSumsOverRanks) {
+  const std::string text = std::string(drop) +
+                           "[extension.shade]\n[[obstacle]]\nname = \"lid\"\n"
+                           "box = { size = [0.1, 0.1, 0.1] }\nplace = { move = [0, 0, 0.8] }\n"
+                           "motion = [{ time = 0, move = [-0.5, 0, 0] }, { time = 1, move = [4, 0, 0] }]\n";
+  Simulation sim = simulationOf(text), alone = simulationOf(text, MPI_COMM_SELF),
+             without = simulationOf(drop, MPI_COMM_SELF);
+  for (Simulation* s : {&sim, &alone, &without}) s->runUntil(0.1);
+  expectSameBits(sim, alone);
+  EXPECT_NE(stateOf(alone), stateOf(without));
+  const LedgerReport l = alone.ledger();
+  EXPECT_LT(std::abs(l.energyResidual), 1e-3 * l.energyScale);
 }
 
 TEST(ExtensionFields, MoveWithTheirParticles) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/domain/find_modules.hpp"
 #include "core/simulation/time/limits.hpp"
 #include "core/solid/laws/plasticity.hpp"
 #include "tests/support/simulation.hpp"

@@ -80,7 +80,7 @@ const CellLight& lightOf(CellLights& lights, std::size_t cell, const LightStops&
 }
 
 /// Returns the light (W) that a particle receives through a view.
-double lightOn(const HeatSourceView& w, const LightStops& stops, const LitRow& lit) {
+double lightOn(const LightTarget& w, const LightStops& stops, const LitRow& lit) {
   LightWork& work = w.work;
   const LightView& v = work.views[lit.view];
   const LightSource& source = work.sources[v.source];
@@ -104,7 +104,7 @@ double lightOn(const HeatSourceView& w, const LightStops& stops, const LitRow& l
 
 }  // namespace
 
-LightReceived receiveLight(const HeatSourceView& w, double dt, Reducer& all) {
+LightReceived receiveLight(const LightTarget& w, double dt, Reducer& all) {
   const Scene& s = w.heat.scene;
   const Continuum& p = w.heat.particles;
   LightWork& work = w.work;

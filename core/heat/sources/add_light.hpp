@@ -14,6 +14,6 @@ struct LightReceived {
 
 /// Distributes the light of the step of length dt (s) that begins now, and records the emitted energy in
 /// the ledger. Collective.
-LightReceived receiveLight(const HeatSourceView& view, double dt, Reducer& all);
+LightReceived receiveLight(const LightTarget& view, double dt, Reducer& all);
 
 }  // namespace thaw

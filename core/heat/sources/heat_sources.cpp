@@ -32,9 +32,52 @@ std::vector<std::uint32_t> rowsIn(const HeatedRegion& region, const SignedDistan
   return rows;
 }
 
-/// Adds the heat of regions, in proportion to mass. Sums of mass are exact.
-void addRegions(const HeatSourceView& v, double dt, Reducer& all) {
-  const HeatView& w = v.heat;
+/// Adds the absorbed part of the received light (W, by owned row), and records it with the reflected part.
+void absorb(const HeatView& w, const std::vector<double>& received, double dt, SourceSums& sums) {
+  for (std::size_t i = 0; i < received.size(); i++) {
+    if (received[i] == 0) continue;
+    const double flow = w.scene.materials[w.particles.material[i]].absorptivity * received[i];
+    give(w, i, flow, dt, sums.absorbed);
+    sums.reflected.add((received[i] - flow) * dt);
+  }
+}
+
+/// Returns the largest step (s) in which a source with the rest position x (m) moves at most `most` (m).
+template<class Source> double limitOf(const Source& source, const Vec3d& x, double time, double most) {
+  if (time >= source.end || source.motion.empty()) return never;
+  const Pose pose = poseAt(source.motion, time);
+  const double speed = length(velocityAt(pose, fromRest(pose, x)));
+  return speed > 0 ? most / speed : never;
+}
+
+}  // namespace
+
+double lightStepLimit(const Scene& s, double time) {
+  const double half = 0.5 * s.spacing;
+  double limit = never;
+  for (const Lamp& l : s.lamps) limit = std::min(limit, limitOf(l, l.position, time, half));
+  for (const Laser& l : s.lasers)
+    limit = std::min(limit, limitOf(l, l.position, time, std::max(0.5 * l.radius, half)));
+  return limit;
+}
+
+double regionStepLimit(const Scene& s, double time) {
+  double limit = never;
+  for (const HeatedRegion& r : s.heatedRegions)
+    limit = std::min(limit, limitOf(r, r.shape.move, time, 0.5 * s.spacing));
+  return limit;
+}
+
+void addLight(const LightTarget& to, double dt, Reducer& all) {
+  const HeatView& w = to.heat;
+  const LightReceived light = receiveLight(to, dt, all);
+  absorb(w, light.lamps, dt, w.ledger.lamps);
+  absorb(w, light.lasers, dt, w.ledger.lasers);
+}
+
+// In proportion to mass. Sums of mass are exact.
+void addRegionHeat(const HeatView& w, const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
+                   double dt, Reducer& all) {
   const Scene& s = w.scene;
   std::vector<std::vector<std::uint32_t>> rows(s.heatedRegions.size());
   std::vector<std::int64_t> digits;
@@ -43,7 +86,7 @@ void addRegions(const HeatSourceView& v, double dt, Reducer& all) {
     const HeatedRegion& region = s.heatedRegions[k];
     ExactSum mass;
     if (shareOn(region.start, region.end, begin, end) > 0) {
-      rows[k] = rowsIn(region, *v.work.regions[k], poseAt(region.motion, 0.5 * (begin + end)), w.particles);
+      rows[k] = rowsIn(region, *shapes[k], poseAt(region.motion, 0.5 * (begin + end)), w.particles);
       for (const std::uint32_t i : rows[k]) mass.add(w.particles.mass[i]);
     }
     mass.carry();
@@ -60,47 +103,6 @@ void addRegions(const HeatSourceView& v, double dt, Reducer& all) {
     for (const std::uint32_t i : rows[k])
       give(w, i, power * (w.particles.mass[i] / total), dt, w.ledger.regions.absorbed);
   }
-}
-
-/// Adds the absorbed part of the received light (W, by owned row), and records it with the reflected part.
-void absorb(const HeatView& w, const std::vector<double>& received, double dt, SourceSums& sums) {
-  for (std::size_t i = 0; i < received.size(); i++) {
-    if (received[i] == 0) continue;
-    const double flow = w.scene.materials[w.particles.material[i]].absorptivity * received[i];
-    give(w, i, flow, dt, sums.absorbed);
-    sums.reflected.add((received[i] - flow) * dt);
-  }
-}
-
-/// Returns the largest step (s) in which a source with the rest position x (m) moves at most `most` (m).
-double limitOf(const std::vector<Keyframe>& motion, const Vec3d& x, double time, double most) {
-  if (motion.empty()) return never;
-  const Pose pose = poseAt(motion, time);
-  const double speed = length(velocityAt(pose, fromRest(pose, x)));
-  return speed > 0 ? most / speed : never;
-}
-
-}  // namespace
-
-double sourceStepLimit(const Scene& s, double time) {
-  double limit = never;
-  const auto take = [&](const auto& source, const Vec3d& x, double most) {
-    if (time < source.end) limit = std::min(limit, limitOf(source.motion, x, time, most));
-  };
-  const double half = 0.5 * s.spacing;
-  for (const Lamp& l : s.lamps) take(l, l.position, half);
-  for (const Laser& l : s.lasers) take(l, l.position, std::max(0.5 * l.radius, half));
-  for (const HeatedRegion& r : s.heatedRegions) take(r, r.shape.move, half);
-  return limit;
-}
-
-void addHeatSources(const HeatSourceView& v, double dt, Reducer& all) {
-  const HeatView& w = v.heat;
-  std::fill_n(w.particles.absorbed.data(), w.particles.owned, 0.0f);
-  const LightReceived light = receiveLight(v, dt, all);
-  absorb(w, light.lamps, dt, w.ledger.lamps);
-  absorb(w, light.lasers, dt, w.ledger.lasers);
-  if (!w.scene.heatedRegions.empty()) addRegions(v, dt, all);
 }
 
 }  // namespace thaw

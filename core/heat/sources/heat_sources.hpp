@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Heat of lamps, lasers and heated regions (docs/theory/heat_sources.md).
 #pragma once
+#include <memory>
+#include <vector>
+
+#include "core/geometry/basic/signed_distance.hpp"
 #include "core/halo/halo.hpp"
 #include "core/heat/heat_view.hpp"
 #include "core/heat/sources/light_work.hpp"
@@ -8,21 +12,26 @@
 
 namespace thaw {
 
-struct HeatSourceView {
+struct LightTarget {
   HeatView heat;
   const Walls& walls;  ///< at their places at the end of the step
   LightWork& work;
 };
 
-/// Adds the power of the scene's sources to heatFlow for the step of length dt (s) that begins now, by
-/// positions at its end. Moving sources are where they are in the middle of the step. Sets
-/// Continuum::absorbed; records the energies in Ledger::lamps, lasers and regions, and in heatIn. dt = 0: at
-/// the start, for frames. Requires: Modules::lamps.
-/// Collective.
-void addHeatSources(const HeatSourceView& view, double dt, Reducer& all);
+/// Adds the absorbed light of lamps and lasers to heatFlow and Continuum::absorbed for the step of length dt
+/// (s) that begins now, by positions at its end. Moving sources are where they are in the middle of the step.
+/// Records the energies in Ledger::lamps, lasers and heatIn. dt = 0: at the start, for frames.
+/// Requires: Modules::lamps. Collective.
+void addLight(const LightTarget& target, double dt, Reducer& all);
 
-/// Largest step (s) for moving sources at this time (s): none moves farther than half of its beam's radius,
-/// or half a spacing.
-double sourceStepLimit(const Scene& scene, double time);
+/// The same for heated regions, in Ledger::regions. shapes: those of Scene::heatedRegions.
+void addRegionHeat(const HeatView& view, const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
+                   double dt, Reducer& all);
+
+/// Largest step (s) for moving lamps and lasers at this time (s): none moves farther than half of its beam's
+/// radius, or half a spacing.
+double lightStepLimit(const Scene& scene, double time);
+/// The same for heated regions.
+double regionStepLimit(const Scene& scene, double time);
 
 }  // namespace thaw

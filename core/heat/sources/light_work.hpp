@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Work data of lamps, lasers and heated regions. All of it follows from the state of a run.
+// Work data of lamps and lasers. All of it follows from the state of a run.
 #pragma once
 #include <cstdint>
-#include <memory>
 #include <vector>
 
-#include "core/geometry/basic/signed_distance.hpp"
 #include "core/geometry/shapes/pose.hpp"
 #include "core/heat/sources/light_view.hpp"
 
@@ -49,7 +47,6 @@ struct LitRow {
 };
 
 struct LightWork {
-  std::vector<std::shared_ptr<const SignedDistance>> regions;  ///< shapes of the heated regions
   std::vector<LightSource> sources;
   std::vector<LightView> views;
   std::vector<CellLights> lights;  ///< by LightView::slot

@@ -11,12 +11,7 @@ namespace thaw {
 StepModule heatFlow() {
   return {"heat",
           [](const World& w, const StepTools&) { return w.modules.heat; },
-          {{ModulePhase::AllForces,
-            [](StepContext& c) {
-              addWallHeat(c.walls, c.t.wallContacts);
-              addOuterHeat(heatView(c.w), c.dt, c.walls.steady);
-              addThermostats(heatView(c.w), c.dt);
-            }},
+          {{ModulePhase::AllForces, [](StepContext& c) { addWallHeat(c.walls, c.t.wallContacts); }},
            {ModulePhase::PhaseChange, [](StepContext& c) {
               updateHeat(heatView(c.w), c.dt);  // H += heat dt, T and liquid fraction follow
             }}}};

@@ -15,9 +15,11 @@ std::vector<StepModule> stepModules() {
           densityMonitor(),
           implicitViscosity(),
           heatFlow(),  // before melting: phases follow from the new temperatures
+          heatExchange(),
           contactConductance(),
           evaporation(),
           heatSources(),
+          limitsOfTerms(),
           surfaceEnergy(),
           tensionByTemperature(),
           tensionByCurvature(),
@@ -31,7 +33,7 @@ std::vector<StepModule> stepModules() {
           forcesAgainstShifting(),
           elasticSolids(),
           solidSubsteps(),
-          buoyancy(),
+          bodyForces(),
           rigidParts(),  // after elasticSolids: it withdraws their step limits
           rigidPieces(),
           rigidBodies(),          // after melting, which sets meltedAnywhere

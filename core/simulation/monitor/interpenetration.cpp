@@ -10,7 +10,7 @@
 namespace thaw {
 namespace {
 
-constexpr double inside = 0.7;       // fraction of the kernel
+constexpr double insideFraction = 0.7;  // fraction of the kernel
 constexpr double inObstacle = 0.25;  // spacings; thin surfaces penetrate as deep as the contact spring allows
 
 }  // namespace
@@ -35,7 +35,7 @@ std::vector<Interpenetration> findInterpenetrations(World& w, Halos halos) {
         for (std::uint32_t j = r.begin; j < r.end; j++)
           if (p.phase[j] == Solid && p.body[j] < bodies)
             full[p.body[j]] += solidFraction(length(p.position[j] - o.position[i]), s);
-      for (std::size_t b = 0; b < bodies; b++) count[o.body[i] * bodies + b] += full[b] > inside;
+      for (std::size_t b = 0; b < bodies; b++) count[o.body[i] * bodies + b] += full[b] > insideFraction;
     }
   }
   halos.all.sum(count);

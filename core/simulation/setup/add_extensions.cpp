@@ -49,6 +49,15 @@ void addPairForce(World& w, StepTools& t, const Extension& e, const ExtensionSet
 
 }  // namespace
 
+void startTerms(World& w, StepTools& t, const MeshLoader& load, SceneProblems& problems) {
+  for (const Extension* term : modelTerms()) {
+    for (const PairSweep& sweep : term->model->sweeps)
+      if (sweep.isOn(w.scene.numerics, w.modules)) t.sweeps.push_back(&sweep);
+    if (term->model->start && isUsed(*term, w.scene, w.modules))
+      t.terms.push_back({&*term->model, term->model->start({w.scene, load, problems})});
+  }
+}
+
 void addExtensions(World& w, StepTools& t) {
   declareFields(w.scene, w.particles);
   for (const ExtensionSettings& settings : w.scene.extensions) {
@@ -63,12 +72,17 @@ void addExtensions(World& w, StepTools& t) {
     if (e.stepLimit) lower(t, e.stepLimit(settings));
     if (e.pairForce.kernels.sum) addPairForce(w, t, e, settings);
   }
+  static const ExtensionSettings none;  // keys of terms are members of the scene
+  for (const Extension* term : modelTerms())
+    if (term->pairForce.kernels.sum && isUsed(*term, w.scene, w.modules)) addPairForce(w, t, *term, none);
   for (const Material& m : w.scene.materials)
     if (const Extension& law = extensionOf(m.law.name); !law.builtIn) describe(w.modules, law);
   for (const Body& b : w.scene.bodies) describeShape(w.modules, b.shape);
   for (const Obstacle& o : w.scene.obstacles) describeShape(w.modules, o.shape);
   for (const OrientedBody& b : w.scene.oriented) describeShape(w.modules, b.shape);
-  for (const HeatedRegion& r : w.scene.heatedRegions) describeShape(w.modules, r.shape);
+  eachTermElement(w.scene, [&](const Extension&, const TermTable&, const TermElement& element) {
+    if (element.shape) describeShape(w.modules, *element.shape);
+  });
 }
 
 }  // namespace thaw

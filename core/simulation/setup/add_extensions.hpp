@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of a scene's extensions in a world (core/domain/extensions.hpp).
+// The parts of a scene's extensions and terms in a world (core/domain/extensions.hpp).
 #pragma once
+#include "core/geometry/basic/shape_error.hpp"
+#include "core/geometry/basic/signed_distance.hpp"
 #include "core/simulation/workspace/step_tools.hpp"
 #include "core/simulation/world/world.hpp"
 
 namespace thaw {
 
-/// Adds loads, pair forces, fields and their updates, and step limits of the scene's extensions. Throws
-/// std::runtime_error for an extension that is not registered, and for a pair force that the scene excludes.
+/// Begins the body forces and sources of heat of the library that the scene uses. Adds unusable shapes to
+/// problems.
+void startTerms(World& world, StepTools& tools, const MeshLoader& load, SceneProblems& problems);
+
+/// Adds loads, pair forces, fields and their updates, and step limits of the scene's extensions, and pair
+/// forces of the library that it uses. Throws std::runtime_error for an extension that is not
+/// registered, and for a pair force that the scene excludes.
 void addExtensions(World& world, StepTools& tools);
 
 }  // namespace thaw

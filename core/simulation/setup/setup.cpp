@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "core/domain/extensions.hpp"
+#include "core/domain/find_modules.hpp"
 #include "core/domain/sides.hpp"
 #include "core/flow/curvature/tension_interval.hpp"
 #include "core/fluid/laws/surface_energy.hpp"
 #include "core/geometry/basic/shape_error.hpp"
-#include "core/heat/sources/light_work.hpp"
 #include "core/kernels/lattice.hpp"
 #include "core/oriented/forces/oriented_forces.hpp"
 #include "core/oriented/prepare_oriented.hpp"
@@ -114,8 +114,8 @@ double reachOfWalls(const World& w) {
   return reach;
 }
 
-/// Adds the walls of obstacles and of the domain, and the shapes of bodies and heated regions. Throws with
-/// all unreadable meshes and their places in the scene.
+/// Adds the walls of obstacles and of the domain, and the shapes of bodies and terms. Throws with all
+/// unreadable meshes and their places in the scene.
 void makeShapes(World& w, StepTools& t, const MeshLoader& load) {
   SceneProblems problems;
   for (const Obstacle& o : w.scene.obstacles) {
@@ -130,9 +130,7 @@ void makeShapes(World& w, StepTools& t, const MeshLoader& load) {
   std::vector<std::shared_ptr<const SignedDistance>> shapes;
   for (const Body& b : w.scene.bodies)
     shapes.push_back(makeSignedDistance(b.shape, load, "body '" + b.name + "'", problems));
-  if (w.modules.lamps) t.light = std::make_shared<LightWork>();
-  for (const HeatedRegion& r : w.scene.heatedRegions)
-    t.light->regions.push_back(makeSignedDistance(r.shape, load, "heated region '" + r.name + "'", problems));
+  startTerms(w, t, load, problems);
   problems.raise();
   t.shapes = std::move(shapes);
 }

@@ -202,6 +202,7 @@ void sumDensities(World& w, StepTools& t, GroupRange range, double elapsed) {
 void sumForces(World& w, StepTools& t, NeighbourPass pass, GroupRange range) {
   Continuum& p = w.particles;
   const RecordContext x = recordContext(w, t);
+  const bool inner = pass == NeighbourPass::InnerForces;
   if (w.modules.fluid && !w.modules.incompressible) {  // else the pressure is computed at the end of the step
     pass == NeighbourPass::InnerForces ? packPressure(x, p, 0, p.owned, t.records)
                                        : packPressure(x, p, p.owned, p.size(), t.records);
@@ -211,23 +212,21 @@ void sumForces(World& w, StepTools& t, NeighbourPass pass, GroupRange range) {
     pass == NeighbourPass::InnerForces ? packApparentViscosity(x, p, 0, p.owned, t.records)
                                        : packApparentViscosity(x, p, p.owned, p.size(), t.records);
   const PairSums s = pairSumsOf(w, t);
-  PairSums particleForces = s, tension = s;
-  if (p.positionForce.active) tension.force = p.positionForce.data();
+  PairSums particleForces = s, positionForces = s;
+  if (p.positionForce.active) positionForces.force = p.positionForce.data();
   if (p.drag.active)
     particleForces.force = p.drag.data();  // viscosity only: the pressure is computed at the end of the
                                            // step
   if (w.modules.fluid || w.modules.heat) t.kernels->forces(particleForces, range);
   if (w.modules.contactConductance) sumContactHeat(w, t, s, range, pass);
-  if (w.modules.surfaceEnergy) {
-    pass == NeighbourPass::InnerForces ? packSurfaceEnergyDerivatives(x, p, 0, p.owned, t.records)
-                                       : packSurfaceEnergyDerivatives(x, p, p.owned, p.size(), t.records);
-    t.kernels->surfaceForces(tension, range);
-  } else if (w.modules.tension && !actsByCurvature(w.scene.numerics, w.modules)) {
-    t.kernels->tension(tension, range);
+  for (const PairSweep* sweep : t.sweeps) {
+    if (sweep->pack)
+      inner ? sweep->pack(x, p, 0, p.owned, t.records) : sweep->pack(x, p, p.owned, p.size(), t.records);
+    (t.kernels->*sweep->sum)(sweep->onto == PairTarget::PositionForce   ? positionForces
+                             : sweep->onto == PairTarget::ExplicitForce ? particleForces
+                                                                        : s,
+                             range);
   }
-  if (w.modules.artificialViscosity && !w.modules.uniform)
-    t.kernels->artificialViscosity(particleForces, range);
-  if (w.modules.xsph) t.kernels->smoothing(s, range);
   if (w.modules.surfaceHeat) t.kernels->freeSurfaceIndicator(s, range);
   if (w.modules.contact) {
     if (pass == NeighbourPass::InnerForces) t.closePairs.list.clear();

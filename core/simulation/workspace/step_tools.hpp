@@ -8,6 +8,7 @@
 #include "core/contact/solid_contact.hpp"
 #include "core/domain/emit.hpp"
 #include "core/domain/field_update.hpp"
+#include "core/domain/model_part.hpp"
 #include "core/domain/outside_forces.hpp"
 #include "core/flow/density/carry_work.hpp"
 #include "core/flow/implicit_viscosity/viscous_work.hpp"
@@ -38,8 +39,6 @@
 #include "core/walls/tables.hpp"
 
 namespace thaw {
-
-struct LightWork;
 
 /// Work data of a step, made once (core/simulation/setup/) and reused. Not part of the state.
 struct StepTools {
@@ -79,11 +78,12 @@ struct StepTools {
   SleepWork sleep;
   RigidWork rigid;
   ContactHeatWork contactHeat;
-  std::shared_ptr<LightWork> light;  ///< null without heat sources
   std::vector<BondRequest> requests;
   std::vector<std::uint32_t> rebonded;  ///< rows of particles with new bonds
   std::vector<OutsideSource> outside;   ///< with Continuum::outsideForce
+  std::vector<ActiveTerm> terms;        ///< terms of the scene, in the order of their list
   std::vector<PairForceWork> pairForces;
+  std::vector<const PairSweep*> sweeps;  ///< sums of the scene's terms, in their order
   std::vector<FieldUpdate> fieldUpdates;
   StepPhases phases;  ///< calls of the scene's modules
   StepHooks hooks;

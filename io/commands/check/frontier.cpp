@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/domain/find_modules.hpp"
 #include "core/scene/expected_speeds.hpp"
 #include "io/commands/check/chosen_numerics.hpp"
 

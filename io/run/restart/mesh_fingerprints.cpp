@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "core/domain/extensions.hpp"
 #include "core/geometry/basic/shape_error.hpp"
 #include "core/geometry/builtin/builtin_meshes.hpp"
 #include "io/scene/text/checksum.hpp"
@@ -17,7 +18,9 @@ template<class Use> void eachShape(Scene& s, Use&& use) {
   };
   for (Body& b : s.bodies) use(b.shape), all(b.clamp);
   for (Obstacle& o : s.obstacles) use(o.shape);
-  for (HeatedRegion& r : s.heatedRegions) use(r.shape);
+  eachTermElement(s, [&](const Extension&, const TermTable&, const TermElement& one) {
+    if (one.shape) use(*one.shape);
+  });
   for (SheetBody& b : s.sheets) {
     use(b.shape);
     all(b.clamp);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/domain/extensions.hpp"
 #include "core/scene/full_box.hpp"
 #include "io/scene/tables/full_box.hpp"
 #include "io/scene/tables/read_sections.hpp"
@@ -38,6 +39,33 @@ SourcePlace placeOf(const SceneReading& x, std::initializer_list<const char*> ke
   return x.start;
 }
 
+/// Adds an error for a name that another element of the list has. lines: of the first use, by name.
+void checkUnique(const std::string& name, const SourcePlace& where, const char* kind,
+                 std::map<std::string, int>& lines, std::vector<SceneError>& errors) {
+  const auto [first, isNew] = lines.insert({name, where.line});
+  if (!isNew)
+    errors.push_back(
+        {where, fmt::format("duplicate {} name '{}'{}", kind, name,
+                            first->second > 0 ? fmt::format("; first used in line {}", first->second) : "")});
+}
+
+/// "heated region 'sun'", or "thermostat" for elements without names.
+std::string ownerOf(const TermTable& table, const TermElement& one) {
+  return one.name ? fmt::format("{} '{}'", table.title, *one.name) : table.title;
+}
+
+/// Checks names of lamps and other sources, and refuses sources that have nothing to heat.
+void checkTermElements(Scene& s, std::vector<SceneError>& errors) {
+  std::map<const TermTable*, std::map<std::string, int>> lines;
+  eachTermElement(s, [&](const Extension& term, const TermTable& table, const TermElement& one) {
+    if (one.name) checkUnique(*one.name, *one.where, table.title, lines[&table], errors);
+    if (term.model->stage == LoadStage::Sources && !hasContinuum(s))
+      errors.push_back({*one.where, ownerOf(table, one) +
+                                        ": the scene has no [[body]] and no [[emitter]] that it can heat; it "
+                                        "heats no sheets or oriented particles"});
+  });
+}
+
 }  // namespace
 
 void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
@@ -55,40 +83,22 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
     resolve(x.bodyMaterials[b], "body '" + s.bodies[b].name + "'", s.bodies[b].material);
   for (std::size_t e = 0; e < s.emitters.size(); e++)
     resolve(x.emitterMaterials[e], "emitter '" + s.emitters[e].name + "'", s.emitters[e].material);
-  for (std::size_t t = 0; t < s.thermostats.size(); t++)
-    if (!x.thermostatMaterials[t].name.empty())
-      resolve(x.thermostatMaterials[t], "thermostat", s.thermostats[t].material);
-  for (std::size_t k = 0; k < s.heatedRegions.size(); k++)
-    if (!x.regionMaterials[k].name.empty())
-      resolve(x.regionMaterials[k], "heated region '" + s.heatedRegions[k].name + "'",
-              s.heatedRegions[k].material);
+  for (const TermMaterial& t : x.termMaterials) {
+    if (t.name.name.empty()) continue;
+    const TermElement one = t.table->at(s, t.index);
+    resolve(t.name, ownerOf(*t.table, one), *one.material);
+  }
 
   const auto unique = [&](const auto& list, const char* kind) {
-    std::map<std::string, int> lines;  // line of the first use, by name
-    for (const auto& item : list)
-      if (const auto [first, isNew] = lines.insert({item.name, item.where.line}); !isNew)
-        errors.push_back(
-            {item.where,
-             fmt::format("duplicate {} name '{}'{}", kind, item.name,
-                         first->second > 0 ? fmt::format("; first used in line {}", first->second) : "")});
+    std::map<std::string, int> lines;
+    for (const auto& item : list) checkUnique(item.name, item.where, kind, lines, errors);
   };
   unique(s.bodies, "body");
   unique(s.emitters, "emitter");
   unique(s.oriented, "oriented body");
   unique(s.sheets, "sheet");
   unique(s.obstacles, "obstacle");
-  unique(s.lamps, "lamp");
-  unique(s.lasers, "laser");
-  unique(s.heatedRegions, "heated region");
-  if (!hasContinuum(s)) {
-    const auto refuse = [&](const auto& list, const char* kind) {
-      for (const auto& one : list)
-        errors.push_back({one.where, fmt::format("{} '{}': the scene has no [[body]] and no [[emitter]] that "
-                                                 "it can heat; it heats no sheets or oriented particles",
-                                                 kind, one.name)});
-    };
-    refuse(s.lamps, "lamp"), refuse(s.lasers, "laser"), refuse(s.heatedRegions, "heated region");
-  }
+  checkTermElements(s, errors);
   checkSheets(s, errors);
   checkOrientedEvents(x, errors);
   if (s.bodies.empty() && s.emitters.empty() && s.oriented.empty() && s.sheets.empty())

@@ -118,13 +118,4 @@ void readObstacle(TableReader& r, Obstacle& o, SceneReading& x) {
   if (o.name.empty()) o.name = "obstacle " + std::to_string(x.scene->obstacles.size());
 }
 
-void readThermostat(TableReader& r, Thermostat& t, SceneReading& x) {
-  r.restart(Restart::Setting);
-  readMaterialName(r, x, t.material, x.thermostatMaterials, "material that it acts on; none: all");
-  r.needed().number("temperature", t.temperature, "K", positive(), "temperature at the end");
-  r.number("start", t.start, "s", notNegative(), "time at which it starts");
-  r.number("over", t.over, "s", notNegative(), "duration; 0: one step");
-  if (r.reading() && !r.has("temperature")) r.fail("temperature", "is missing");
-}
-
 }  // namespace thaw

@@ -47,7 +47,12 @@ void readExtension(TableReader& r, ExtensionSettings& settings, SceneReading&) {
   r.restart(Restart::Coefficient);
   readKeys(r, *e, settings);
   if (!r.reading()) return;
-  if (!e->usesTable()) r.fail(r.place(), r.path() + ": it has no force, source or field" + otherUses(*e));
+  if (e->model)
+    r.fail(r.place(), r.path() +
+                          ": it is a term of the library, with keys in other tables, which `thaw docs` "
+                          "lists; remove this table");
+  else if (!e->usesTable())
+    r.fail(r.place(), r.path() + ": it has no force, source or field" + otherUses(*e));
 }
 
 void readLaw(TableReader& r, Material& m) {

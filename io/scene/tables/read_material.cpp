@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdlib>
-#include <numbers>
 
 #include "core/materials/liquid_materials.hpp"
-#include "core/materials/surface_tension.hpp"
 #include "core/scene/buoyancy.hpp"
 #include "core/scene/phase_density.hpp"
 #include "core/scene/quality.hpp"
@@ -59,28 +57,6 @@ void readDensity(TableReader& r, Material& m) {
   if (r.hasList("density") || !m.densityTable.empty())
     r.pairs({"density", "K", "kg/m^3", {0, never, true, false, false}, positive(), "", ""}, m.densityTable);
   else readDensityAtRest(r, m);
-  r.number("expansion", m.expansion, "1/K", between(-0.1, 0.1),
-           "coefficient of volume expansion of the liquid. It causes buoyancy, but does not change volumes "
-           "at rest");
-  r.number("expansion_from", m.expansionFrom, "K", notNegative(),
-           "temperature at which the liquid has `density`; 0: `domain.ambient`");
-}
-
-void readTension(TableReader& r, Material& m) {
-  if (r.hasList("surface_tension") || !m.surfaceTensionTable.empty())
-    r.pairs({"surface_tension", "K", "N/m", {0, never, true, false, false}, positive(), "", ""},
-            m.surfaceTensionTable);
-  else
-    r.orAs(KeyForm::Type::Pairs)
-        .number("surface_tension", m.surfaceTension, "N/m", notNegative(),
-                "surface tension of the liquid; or a table by temperature, `[[\"20 degC\", \"72.7 mN/m\"], "
-                "[\"80 degC\", \"62.7 mN/m\"]]`, interpolated linearly");
-  r.defaultAs("\"90 deg\"")
-      .number("contact_angle", m.contactAngle, "rad", between(0, std::numbers::pi),
-              "angle between the liquid's surface and a wall, measured in the liquid: \"30 deg\" wets, \"150 "
-              "deg\" beads. It applies at sides of the domain and at obstacles without their own angle. "
-              "Solid bodies always have 90 degrees");
-  if (r.reading() && !m.surfaceTensionTable.empty()) m.surfaceTension = largestTension(m.surfaceTensionTable);
 }
 
 void readLiquid(TableReader& r, Material& m) {
@@ -97,23 +73,15 @@ void readLiquid(TableReader& r, Material& m) {
   }
   readColourKey(r, m.colour,
                 "colour of its surface in pictures and exports, if its mesh has none; default: a pale one");
-  readTension(r, m);
+  readTermKeys(r, m, false);
   r.number(
       "sound_speed", m.soundSpeed, "m/s", notNegative(),
       "speed of sound of the equation of state; 0: from the largest expected speed and `max_density_error`");
-  r.number("xsph", m.xsph, "", between(0, 1), "smoothing of the velocity with which liquid moves (XSPH)");
   r.byScene().number(
       "bulk_damping", m.bulkDamping, "", between(0, 0.05),
       "damping of sound in liquids with `density = \"continuity\"`. The pressure is taken at the density "
       "extrapolated by the time h / `sound_speed` times this number, with the support radius h. Default: "
       "0.02 where a default of `artificial_viscosity` applies, else 0");
-  r.byScene().number(
-      "artificial_viscosity", m.artificialViscosity, "", between(0, 10),
-      "Monaghan's alpha for approaching pairs. Default with `density = \"continuity\"`: 0.02, or 0.005 in "
-      "scenes with a solid material, minus the alpha that is equivalent to the liquid's viscosity. "
-      "`tension = \"curvature\"` adds a viscosity at the free surface. Default "
-      "with a form of `tension` other than \"curvature\", with `quality = \"preview\"`, or for one box of "
-      "liquid in a periodic domain: 0");
 }
 
 void readSolid(TableReader& r, Material& m) {
@@ -197,13 +165,7 @@ void readHeat(TableReader& r, Material& m) {
   }
   r.number("hysteresis", m.hysteresis, "", Range{0, 0.5, false, true, false},
            "liquid freezes at or below this liquid fraction, solid melts at or above 1 minus it");
-  r.number("heat_source", m.heatSource, "W/kg", anyNumber(), "heat produced in the material");
-  r.number("emissivity", m.emissivity, "", between(0, 1),
-           "emissivity of free surfaces, for radiation to `domain.ambient`");
-  r.number("convection", m.convection, "W/(m^2 K)", notNegative(),
-           "heat transfer coefficient of free surfaces to `domain.ambient`");
-  r.number("absorptivity", m.absorptivity, "", between(0, 1),
-           "fraction of the light of lamps and lasers that the material absorbs; it reflects the rest");
+  readTermKeys(r, m, true);
   r.number("paper_diffusivity", m.paperDiffusivity, "m^2/s", notNegative(),
            "k_heat of Keiser et al. 2005, with `numerics.heat = \"paper\"`");
 }

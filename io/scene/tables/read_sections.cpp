@@ -43,19 +43,6 @@ void refuseOtherNames(TableReader& top) {
     }
 }
 
-/// Reads lamps, lasers and heated regions.
-void readSources(TableReader& top, SceneReading& x) {
-  Scene& s = *x.scene;
-  const auto in = [&](auto read) {
-    return [&x, read](TableReader& r, auto& element) { read(r, element, x); };
-  };
-  top.tables("lamp", "light that exposed particles absorb: from a point, in a direction, or from an area",
-             s.lamps, in(readLamp));
-  top.tables("laser", "beam with a Gaussian profile", s.lasers, in(readLaser));
-  top.tables("heated_region", "power that the particles in a shape receive", s.heatedRegions,
-             in(readHeatedRegion));
-}
-
 }  // namespace
 
 void readSections(TableReader& top, SceneReading& x) {
@@ -107,9 +94,7 @@ void readSections(TableReader& top, SceneReading& x) {
       .tables("sheet", "a sheet whose vertices are exact damped springs", s.sheets, in(readSheet));
   top.as(Restart::State).tables("emitter", "an opening that emits particles", s.emitters, in(readEmitter));
   top.tables("obstacle", "a rigid object that particles cannot enter", s.obstacles, in(readObstacle));
-  top.tables("thermostat", "brings particles to a temperature, at any position", s.thermostats,
-             in(readThermostat));
-  readSources(top, x);
+  readTermTables(top, x);
   refuseOtherNames(top);
   if (top.describing())
     top.table("SHAPE", "keys of bodies, obstacles and clamps; not a table of its own", describeShapes);

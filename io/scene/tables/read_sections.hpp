@@ -6,11 +6,21 @@
 
 namespace thaw {
 
+struct ModelPart;
+struct TermTable;
+
 /// Name of the material of a body or emitter. reported: the name was refused before.
 struct MaterialName {
   std::string name;
   SourcePlace where;
   bool reported = false;
+};
+
+/// The same of an element of a list of tables of a term; an empty name is all materials.
+struct TermMaterial {
+  MaterialName name;
+  const TermTable* table;
+  std::size_t index;
 };
 
 /// State of reading besides the scene: names that refer to other tables, which checkScene resolves.
@@ -21,8 +31,9 @@ struct SceneReading {
   std::map<std::string, SourcePlace> numerics;  ///< keys of [numerics] in the scene
   bool materials = true;  ///< all materials are tables, so an unknown name is an error of its own
   OpenChoices open;       ///< choices of [numerics] that the scene leaves open
-  /// one per element of Scene::bodies, emitters, thermostats, heatedRegions
-  std::vector<MaterialName> bodyMaterials, emitterMaterials, thermostatMaterials, regionMaterials;
+  /// one per element of Scene::bodies, emitters
+  std::vector<MaterialName> bodyMaterials, emitterMaterials;
+  std::vector<TermMaterial> termMaterials;
 };
 
 /// Reads all keys of a scene file.
@@ -57,14 +68,18 @@ void readBody(TableReader& reader, Body& body, SceneReading& reading);
 void readOriented(TableReader& reader, OrientedBody& body, SceneReading& reading);
 void readSheet(TableReader& reader, SheetBody& body, SceneReading& reading);
 void readEmitter(TableReader& reader, Emitter& emitter, SceneReading& reading);
-void readThermostat(TableReader& reader, Thermostat& thermostat, SceneReading& reading);
-void readLamp(TableReader& reader, Lamp& lamp, SceneReading& reading);
-void readLaser(TableReader& reader, Laser& laser, SceneReading& reading);
-void readHeatedRegion(TableReader& reader, HeatedRegion& region, SceneReading& reading);
 /// Reads the name of a material into `names`. checkScene finds its place in the list, from which it is
 /// recorded.
 void readMaterialName(TableReader& reader, const SceneReading& reading, int place,
                       std::vector<MaterialName>& names, const char* about);
+/// Reads the lists of tables of all terms of the model (core/domain/terms.hpp), such as [[lamp]].
+void readTermTables(TableReader& top, SceneReading& reading);
+/// Reads their keys in [domain].
+void readTermKeys(TableReader& reader, Domain& domain);
+/// Reads the keys in [material.NAME] of terms that heat, or of the others.
+void readTermKeys(TableReader& reader, Material& material, bool heat);
+/// Returns the tables and keys of a term: "[[lamp]]", "material.NAME.absorptivity".
+std::vector<std::string> keysOf(const ModelPart& term);
 void readObstacle(TableReader& reader, Obstacle& obstacle, SceneReading& reading);
 
 /// Checks references, duplicates and sizes, which concern several tables. Adds to errors.

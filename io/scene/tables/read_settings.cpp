@@ -63,11 +63,7 @@ void readDomain(TableReader& r, Domain& d) {
         readSides(s, "y", d.side[1]);
         readSides(s, "z", d.side[2]);
       });
-  Vec3d gravity = d.gravity + d.buoyantGravity;  // one of them is 0
-  r.vector("gravity", gravity, "m/s^2", "gravitational acceleration");
-  if (!r.recording()) d.gravity = gravity;
-  r.as(Restart::Coefficient)
-      .number("ambient", d.ambient, "K", positive(), "ambient temperature, for convection and radiation");
+  readTermKeys(r, d);
   std::string axes;
   for (int a = 0; a < 3; a++)
     if (!(d.max[a] > d.min[a])) axes += (axes.empty() ? "" : ", ") + std::string(1, "xyz"[a]);

@@ -150,15 +150,16 @@ bool TableReader::quantity(const toml::node& n, const char* key, const char* uni
     good = false;
   }
   if (!good) {
-    refuse(key, n, fmt::format("expected {}{}, got {}{}", kindOfUnit(unit), range.words(), shown(n), why));
+    refuse(key, n,
+           fmt::format("expected {}{}, got {}{}", kindOfUnit(unit), rangeWords(range), shown(n), why));
     return false;
   }
   if (!std::isfinite(v)) {
     refuse(key, n, fmt::format("must be a finite number, got {}", shown(n)));
     return false;
   }
-  if (!range.holds(v)) {
-    refuse(key, n, fmt::format("must be {}, got {}", withUnit(range.requirement(), unit), shown(n)));
+  if (!holds(range, v)) {
+    refuse(key, n, fmt::format("must be {}, got {}", withUnit(rangeRequirement(range), unit), shown(n)));
     return false;
   }
   return value = v, true;
@@ -172,9 +173,9 @@ void TableReader::checkNumber(const char* key, const char* unit, const Range& ra
   if (!recording() || word || standard) return;
   if (!std::isfinite(value))
     check_->errors.push_back({where_, fmt::format("{}: must be a finite number, got {}", named(key), value)});
-  else if (!range.holds(value))
+  else if (!holds(range, value))
     check_->errors.push_back({where_, fmt::format("{}: must be {}, got {}", named(key),
-                                                  withUnit(range.requirement(), unit), value)});
+                                                  withUnit(rangeRequirement(range), unit), value)});
 }
 
 /// Throws std::invalid_argument at once, since the number is an index.
@@ -187,13 +188,13 @@ void TableReader::checkWord(const char* key, int value, const std::vector<std::s
 void TableReader::number(const char* key, double& value, const char* unit, const Range& range,
                          const char* about) {
   checkNumber(key, unit, range, value);
-  describe({"", key, unit, range.text(), numberText(value), about}, {KeyForm::Type::Quantity, range});
+  describe({"", key, unit, rangeText(range), numberText(value), about}, {KeyForm::Type::Quantity, range});
   if (const toml::node* n = get(key)) quantity(*n, key, unit, range, value);
 }
 void TableReader::number(const char* key, std::optional<double>& value, const char* unit, const Range& range,
                          const char* about) {
   if (value) checkNumber(key, unit, range, *value);
-  describe({"", key, unit, range.text(), value ? numberText(*value) : "none", about},
+  describe({"", key, unit, rangeText(range), value ? numberText(*value) : "none", about},
            {KeyForm::Type::Quantity, range});
   double v = 0;
   if (const toml::node* n = get(key); n && quantity(*n, key, unit, range, v)) value = v;
@@ -303,7 +304,7 @@ void TableReader::blend(const BlendKey& k, Blend& value) {
                                    ? numberText(value.solid)
                                    : fmt::format("{{ solid = {}, liquid = {} }}", numberText(value.solid),
                                                  numberText(value.liquid));
-  describe({"", k.key, k.unit, k.range.text() + ", or { solid = ..., liquid = ... }", standard, k.about},
+  describe({"", k.key, k.unit, rangeText(k.range) + ", or { solid = ..., liquid = ... }", standard, k.about},
            {KeyForm::Type::Blend, k.range});
   const toml::node* n = get(k.key);
   if (!n) return;

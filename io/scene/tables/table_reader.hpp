@@ -31,15 +31,6 @@ struct SceneError {
   std::vector<SourcePlace> places{};  ///< places of the table of an unknown key and of all its values
 };
 
-/// Effect of a change of a key between a checkpoint and the run that continues it.
-enum class Restart {
-  State,        ///< refused: particles, frames or the ledger depend on it
-  Coefficient,  ///< reported: forces and energies jump
-  Setting,      ///< reported: forces and energies stay as they are
-  Start,        ///< reported as without effect: it sets only how a run begins
-  Free          ///< not recorded
-};
-
 /// The values of a key as data, for the schema of scene files.
 struct KeyForm {
   enum class Type {

@@ -7,28 +7,27 @@
 
 namespace thaw {
 
-bool Range::holds(double v) const {
-  return std::isfinite(v) && (openLow ? v > low : v >= low) && (openHigh ? v < high : v <= high);
+bool holds(const Range& r, double v) {
+  return std::isfinite(v) && (r.openLow ? v > r.low : v >= r.low) && (r.openHigh ? v < r.high : v <= r.high);
 }
 
-std::string Range::text() const {
-  constexpr double never = std::numeric_limits<double>::infinity();
+std::string rangeText(const Range& r) {
   std::string t = "any number";
-  if (high == never && low > -never) t = fmt::format("{} {}", openLow ? ">" : ">=", low);
-  else if (low == -never && high < never) t = fmt::format("{} {}", openHigh ? "<" : "<=", high);
-  else if (low > -never && openLow && openHigh) t = fmt::format("> {} and < {}", low, high);
-  else if (low > -never && openLow) t = fmt::format("> {} and <= {}", low, high);
-  else if (low > -never && openHigh) t = fmt::format(">= {} and < {}", low, high);
-  else if (low > -never) t = fmt::format("{} ... {}", low, high);
-  return t + words();
+  if (r.high == never && r.low > -never) t = fmt::format("{} {}", r.openLow ? ">" : ">=", r.low);
+  else if (r.low == -never && r.high < never) t = fmt::format("{} {}", r.openHigh ? "<" : "<=", r.high);
+  else if (r.low > -never && r.openLow && r.openHigh) t = fmt::format("> {} and < {}", r.low, r.high);
+  else if (r.low > -never && r.openLow) t = fmt::format("> {} and <= {}", r.low, r.high);
+  else if (r.low > -never && r.openHigh) t = fmt::format(">= {} and < {}", r.low, r.high);
+  else if (r.low > -never) t = fmt::format("{} ... {}", r.low, r.high);
+  return t + rangeWords(r);
 }
 
-std::string Range::words() const {
-  return std::string(orNever ? " or \"never\"" : "") + (orOff ? " or \"off\"" : "");
+std::string rangeWords(const Range& r) {
+  return std::string(r.orNever ? " or \"never\"" : "") + (r.orOff ? " or \"off\"" : "");
 }
 
-std::string Range::requirement() const {
-  std::string t = text();
+std::string rangeRequirement(const Range& r) {
+  std::string t = rangeText(r);
   const std::size_t dots = t.find(" ... ");
   return dots == std::string::npos ? t : "between " + t.replace(dots, 5, " and ");
 }

@@ -2,6 +2,7 @@
 // Initial velocities and temperatures that vary with position; the automatic sound speed.
 #include <gtest/gtest.h>
 
+#include "core/domain/find_modules.hpp"
 #include "core/geometry/basic/shape_error.hpp"
 #include "core/materials/liquid_materials.hpp"
 #include "core/scene/expected_speeds.hpp"

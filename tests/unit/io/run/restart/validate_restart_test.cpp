@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/domain/find_modules.hpp"
 #include "core/halo/serial.hpp"
 #include "core/oriented/forces/anchors.hpp"
 #include "core/oriented/prepare_oriented.hpp"

@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/scene/modules.hpp"
+#include "core/domain/find_modules.hpp"
 
 #include <algorithm>
 #include <iterator>
 
+#include "core/domain/extensions.hpp"
 #include "core/scene/buoyancy.hpp"
 #include "core/scene/material_use.hpp"
 #include "core/scene/phase_density.hpp"
-#include "core/scene/tension_form.hpp"
 
 namespace thaw {
-
-bool solidAt(const Material& m, double T) {
-  return m.canBeSolid() && (m.melts() ? T < m.liquidus : !m.liquidAtStart);
-}
-
 namespace {
 
 std::string quoted(const std::string& name) { return "'" + name + "'"; }
@@ -40,6 +35,16 @@ struct Finder {
     m.why.push_back(std::string(name) + ": " + why);
   }
 };
+
+/// Activates the modules of terms of the model: of those that heat, or of the others.
+void findTerms(Finder& f, bool heat) {
+  for (const Extension* term : modelTerms()) {
+    if (term->heats != heat || !term->model->uses) continue;
+    bool listed = false;  // a term without a module of its own
+    for (const ModuleUse& use : term->model->uses(f.s, f.m))
+      f.on(use.module ? f.m.*use.module : listed, use.name, use.why);
+  }
+}
 
 /// Activates heat if temperatures differ or something heats or cools.
 void findHeat(Finder& f) {
@@ -68,27 +73,14 @@ void findHeat(Finder& f) {
   for (const Obstacle& o : s.obstacles)
     if (o.temperature && conducts)
       f.on(f.m.heat, "heat", "obstacle " + quoted(o.name) + " has a temperature");
-  if (!s.thermostats.empty()) f.on(f.m.heat, "heat", "a [[thermostat]] changes the temperature");
-  const auto source = [&](const auto& list, const char* kind) {
-    for (const auto& one : list) {
-      f.on(f.m.heat, "heat", std::string(kind) + " " + quoted(one.name) + " heats bodies");
-      f.on(f.m.lamps, "heat sources", std::string(kind) + " " + quoted(one.name));
-    }
-  };
-  if (hasContinuum(s)) {
-    source(s.lamps, "lamp"), source(s.lasers, "laser"), source(s.heatedRegions, "heated region");
+  findTerms(f, true);
+  if (hasContinuum(s))
     for (const ExtensionSettings& e : s.extensions)
       if (e.heats) f.on(f.m.heat, "heat", "extension " + quoted(e.name) + " heats bodies");
-  }
   for (const Material& m : s.materials) {
     if (!m.evaporation.empty()) f.on(f.m.heat, "heat", "material " + quoted(m.name) + " evaporates");
-    if (m.heatSource != 0) f.on(f.m.heat, "heat", "material " + quoted(m.name) + " has a heat source");
     if (m.weldTemperature < never)
       f.on(f.m.heat, "heat", "pieces of material " + quoted(m.name) + " weld where they are hot");
-    if (m.convection > 0 || m.emissivity > 0) {
-      f.on(f.m.heat, "heat", "material " + quoted(m.name) + " exchanges heat with the ambient");
-      f.on(f.m.surfaceHeat, "surface heat", "material " + quoted(m.name) + " has convection or emissivity");
-    }
     if (!m.viscosityTable.empty() || m.flowLaw.consistency.size() > 1 || m.flowLaw.yieldStress.size() > 1)
       f.on(f.m.heat, "heat", "the viscosity of material " + quoted(m.name) + " depends on the temperature");
     if (!m.surfaceTensionTable.empty())
@@ -163,46 +155,27 @@ int findPhases(Finder& f, std::vector<bool>& used) {
 void findLiquidLaws(Finder& f, const Material& x, const std::string& who) {
   const Numerics& n = f.s.numerics;
   Modules& m = f.m;
-  const bool liquid = m.fluid && (!x.canBeSolid() || x.liquidAtStart || (x.melts() && m.heat));
-  if (liquid && x.surfaceTension > 0) f.on(m.tension, "surface tension", who);
-  if (m.tension && n.tension == TensionForm::SurfaceEnergy)
-    f.on(m.surfaceEnergy, "surface tension as an energy", "numerics.tension");
-  if (!liquid) return;
-  if (m.surfaceEnergy && !x.surfaceTensionTable.empty())
-    f.on(m.tensionTable, "tension by temperature", "the surface tension of " + who + " is a table");
-  if (m.surfaceEnergy && x.surfaceTension > 0)
-    for (const std::string& where : contactAnglesOf(f.s, x)) f.on(m.contactAngle, "contact angles", where);
+  if (!hasLiquid(m, x)) return;
   if (hasFlowLaw(x)) f.on(m.flowLaw, "flow law", "the viscosity of " + who + " depends on the shear rate");
   const bool viscous = x.viscosity.solid > 0 || x.viscosity.liquid > 0 || !x.viscosityTable.empty() ||
                        hasFlowLaw(x);
   if (viscous && n.viscositySolver == ViscositySolver::Implicit)
     f.on(m.implicitViscosity, "implicit viscosity", who);
   if (viscous && n.viscosityCorrection) f.on(m.viscosityCorrection, "corrected viscosity", who);
-  if (x.xsph > 0) f.on(m.xsph, "velocity smoothing (XSPH)", who);
-  if (x.artificialViscosity > 0) f.on(m.artificialViscosity, "artificial viscosity", who);
-  if (x.surfaceTension > 0 && n.tension == TensionForm::Curvature)
-    f.on(m.artificialViscosity, "artificial viscosity", "the free surface of " + who);
   if (m.continuity && x.bulkDamping > 0) f.on(m.bulkDamping, "bulk damping", who);
   if (!x.evaporation.empty())
     f.on(m.evaporation, "evaporation", who + " loses mass at free surfaces of its liquid");
 }
 
-/// Activates contact conductance, drag of mushes and buoyancy.
+/// Activates contact conductance and drag of mushes.
 void findHeatLaws(Finder& f, const Material& x, const std::string& who) {
   const Scene& s = f.s;
   Modules& m = f.m;
-  const bool liquid = m.fluid && (!x.canBeSolid() || x.liquidAtStart || (x.melts() && m.heat));
   if (m.heat && x.contactConductance < never && s.bodies.size() + s.emitters.size() > 1)
     f.on(m.contactConductance, "contact conductance",
          "heat from " + who + " to other bodies meets a resistance");
   if (m.melting && x.melts() && x.mushDrag > 0)
     f.on(m.mushDrag, "mush drag", who + " slows its liquid beside solids between solidus and liquidus");
-  if (liquid && m.heat && expands(x) && hasBuoyancy(s))
-    f.on(m.buoyancy, "buoyancy",
-         "the density of " + who + " depends on the temperature; " +
-             (s.numerics.buoyancy == Buoyancy::Boussinesq
-                  ? "only differences of density act (`numerics.buoyancy = \"boussinesq\"`)"
-                  : "its weight acts, too (`numerics.buoyancy = \"density\"`)"));
 }
 
 /// Activates the modules that the solid of a material needs.
@@ -330,6 +303,7 @@ Modules modulesOf(const Scene& s) {
     f.on(m.incompressible, "incompressible liquid", "numerics.pressure_solver");
   findSubsteps(f, elastic);
   findNeighbourUse(f);
+  findTerms(f, false);
   m.uniform = isUniform(s, m);
   return f.m;
 }

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/domain/terms.hpp"
+#include "core/materials/liquid_materials.hpp"
+#include "core/scene/material_use.hpp"
+
+namespace thaw {
+namespace {
+
+void readArtificialViscosity(KeyTable& keys, Material& m) {
+  keys.byScene().number(
+      "artificial_viscosity", m.artificialViscosity, "", between(0, 10),
+      "Monaghan's alpha for approaching pairs. Default with `density = \"continuity\"`: 0.02, or 0.005 in "
+      "scenes with a solid material, minus the alpha that is equivalent to the liquid's viscosity. "
+      "`tension = \"curvature\"` adds a viscosity at the free surface. Default "
+      "with a form of `tension` other than \"curvature\", with `quality = \"preview\"`, or for one box of "
+      "liquid in a periodic domain: 0");
+}
+
+std::vector<ModuleUse> usesOfArtificialViscosity(const Scene& s, const Modules& m) {
+  std::vector<ModuleUse> uses;
+  for (std::size_t k = 0; k < s.materials.size(); k++)
+    if (const Material& x = s.materials[k]; inUse(s, k) && hasLiquid(m, x) && x.artificialViscosity > 0)
+      uses.push_back({&Modules::artificialViscosity, "artificial viscosity", "material '" + x.name + "'"});
+  return uses;
+}
+
+}  // namespace
+
+Extension artificialViscosityTerm() {
+  // In scenes of one liquid the sum of pressures has it (core/fluid/terms/uniform_forces.hpp).
+  const auto isOn = [](const Numerics&, const Modules& m) { return m.artificialViscosity && !m.uniform; };
+  return {.name = "artificial viscosity",
+          .about = "damping of approaching pairs, which keeps sound waves stable",
+          .model = ModelPart{.materialKeys = readArtificialViscosity,
+                             .uses = usesOfArtificialViscosity,
+                             .sweeps = {{.sum = &PairKernels::artificialViscosity,
+                                         .isOn = isOn,
+                                         .onto = PairTarget::ExplicitForce}},
+                             .limit = "viscosity",
+                             .energies = {"dissipated_J"}}};
+}
+
+}  // namespace thaw

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Declaration of the keys of a table in a scene file, by terms of the model (core/domain/model_part.hpp).
+// io/scene reads, documents, checks and records keys from one declaration.
+#pragma once
+#include <initializer_list>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/math/vec3.hpp"
+#include "core/scene/flow_law.hpp"
+#include "core/scene/motion.hpp"
+#include "core/scene/shape.hpp"
+
+namespace thaw {
+
+/// Range of a key. NaN is never in it. Infinity is only allowed as the word "never".
+struct Range {
+  double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+  bool openLow = false, openHigh = false;  ///< the end is excluded
+  bool orNever = false;                    ///< the word "never" is allowed
+  bool orOff = false;                      ///< the word "off" is allowed, and means 0
+};
+inline Range anyNumber() { return {}; }
+inline Range positive() { return {0, std::numeric_limits<double>::infinity(), true, false, false}; }
+inline Range notNegative() { return {0, std::numeric_limits<double>::infinity(), false, false, false}; }
+inline Range atLeast(double low) {
+  return {low, std::numeric_limits<double>::infinity(), false, false, false};
+}
+inline Range between(double low, double high) { return {low, high, false, false, false}; }
+inline Range inside(double low, double high) { return {low, high, true, true, false}; }
+inline Range orNever(Range r) { return r.orNever = true, r; }
+inline Range orOff(Range r) { return r.orOff = true, r; }
+
+/// Effect of a change of a key between a checkpoint and the run that continues it.
+enum class Restart {
+  State,        ///< refused: particles, frames or the ledger depend on it
+  Coefficient,  ///< reported: forces and energies jump
+  Setting,      ///< reported: forces and energies stay as they are
+  Start,        ///< reported as without effect: it sets only how a run begins
+  Free          ///< not recorded
+};
+
+/// The keys of a table. Each function of a key reads it into its value if the scene has the key; else the
+/// value stays, and is described as the default.
+class KeyTable {
+ public:
+  virtual ~KeyTable() = default;
+  virtual bool reading() const = 0;    ///< the table is from a scene, and its checks apply
+  virtual bool recording() const = 0;  ///< the values are those of a scene, for a restart
+  virtual bool has(const char* key) const = 0;
+  /// Adds an error at a key, unless it, or one of `others` on which the check depends, was refused before.
+  virtual void fail(const char* key, const std::string& text,
+                    std::initializer_list<const char*> others = {}) = 0;
+  /// Sets the effect of changes at a restart, for the keys that follow.
+  virtual void restart(Restart effect) = 0;
+  /// Describes the default of the next key in words.
+  virtual KeyTable& defaultAs(const char* words) = 0;
+  virtual KeyTable& byScene() = 0;  ///< the default follows from the scene
+  virtual KeyTable& needed() = 0;   ///< it has no default; the caller fails where the key is missing
+  virtual void number(const char* key, double& value, const char* unit, const Range& range,
+                      const char* about) = 0;
+  /// A number, or a table of numbers by temperature.
+  virtual void byTemperature(const char* key, double& value, TemperatureTable& table, const char* unit,
+                             const Range& range, const char* about) = 0;
+  virtual void vector(const char* key, Vec3d& value, const char* unit, const char* about) = 0;
+  /// One of several words, as its number.
+  virtual void choice(const char* key, int& value, const std::vector<std::string>& words,
+                      const char* about) = 0;
+  /// The key `name`. Without it the element has the title of its table and its number.
+  virtual void name(std::string& value) = 0;
+  /// The keys of a shape and its `place`.
+  virtual void shape(Shape& value) = 0;
+  /// The keyframes `motion`.
+  virtual void motion(std::vector<Keyframe>& value, const char* about) = 0;
+  /// The key `material`, as an index into Scene::materials that is known after reading; -1: all.
+  virtual void material(int& value, const char* about) = 0;
+};
+
+}  // namespace thaw
