@@ -19,17 +19,17 @@ void give(const HeatView& w, std::size_t i, double flow, double dt, ExactSum& ab
   absorbed.add(flow * dt);
 }
 
-/// Returns the rows of the particles that a region heats.
-std::vector<std::uint32_t> rowsIn(const HeatedRegion& region, const SignedDistance& shape, const Pose& pose,
-                                  const Continuum& p) {
-  std::vector<std::uint32_t> rows;
-  const Bounds bounds = shape.bounds();
-  for (std::size_t i = 0; i < p.owned; i++) {
-    if (region.material >= 0 && p.material[i] != region.material) continue;
-    const Vec3d x = toRest(pose, p.position[i]);
-    if (nearBounds(bounds, x, 0) && shape.inside(x)) rows.push_back(static_cast<std::uint32_t>(i));
-  }
-  return rows;
+/// Makes an entry for each source of the scene. Other sources than before have unknown shares of what was
+/// absorbed: any of it counts for all of their kind.
+void listSources(const Scene& s, Ledger& ledger) {
+  if (ledger.sourceUse.size() == s.lamps.size() + s.lasers.size() + s.heatedRegions.size()) return;
+  ledger.sourceUse.clear();
+  const auto add = [&](std::size_t count, const SourceSums& sums) {
+    ledger.sourceUse.resize(ledger.sourceUse.size() + count, {0, sums.absorbed.value() > 0});
+  };
+  add(s.lamps.size(), ledger.lamps);
+  add(s.lasers.size(), ledger.lasers);
+  add(s.heatedRegions.size(), ledger.regions);
 }
 
 /// Adds the heat of regions, in proportion to mass. Sums of mass are exact.
@@ -43,7 +43,8 @@ void addRegions(const HeatSourceView& v, double dt, Reducer& all) {
     const HeatedRegion& region = s.heatedRegions[k];
     ExactSum mass;
     if (shareOn(region.start, region.end, begin, end) > 0) {
-      rows[k] = rowsIn(region, *v.work.regions[k], poseAt(region.motion, 0.5 * (begin + end)), w.particles);
+      rows[k] = rowsInRegion(region, *v.work.regions[k], poseAt(region.motion, 0.5 * (begin + end)),
+                             w.particles);
       for (const std::uint32_t i : rows[k]) mass.add(w.particles.mass[i]);
     }
     mass.carry();
@@ -53,6 +54,9 @@ void addRegions(const HeatSourceView& v, double dt, Reducer& all) {
   for (std::size_t k = 0; k < rows.size(); k++) {
     const HeatedRegion& region = s.heatedRegions[k];
     const double power = region.power * shareOn(region.start, region.end, begin, end);
+    SourceUse& use = w.ledger.sourceUse[s.lamps.size() + s.lasers.size() + k];
+    use.given += power * dt;
+    if (power * dt > 0 && !rows[k].empty()) use.absorbed = 1;
     if (all.rank() == 0) w.ledger.regions.given.add(power * dt);
     ExactSum mass;
     std::copy_n(digits.data() + k * ExactSum::digits, ExactSum::digits, mass.digit.data());
@@ -82,6 +86,18 @@ double limitOf(const std::vector<Keyframe>& motion, const Vec3d& x, double time,
 
 }  // namespace
 
+std::vector<std::uint32_t> rowsInRegion(const HeatedRegion& region, const SignedDistance& shape,
+                                        const Pose& pose, const Continuum& p) {
+  std::vector<std::uint32_t> rows;
+  const Bounds bounds = shape.bounds();
+  for (std::size_t i = 0; i < p.owned; i++) {
+    if (region.material >= 0 && p.material[i] != region.material) continue;
+    const Vec3d x = toRest(pose, p.position[i]);
+    if (nearBounds(bounds, x, 0) && shape.inside(x)) rows.push_back(static_cast<std::uint32_t>(i));
+  }
+  return rows;
+}
+
 double sourceStepLimit(const Scene& s, double time) {
   double limit = never;
   const auto take = [&](const auto& source, const Vec3d& x, double most) {
@@ -96,6 +112,7 @@ double sourceStepLimit(const Scene& s, double time) {
 
 void addHeatSources(const HeatSourceView& v, double dt, Reducer& all) {
   const HeatView& w = v.heat;
+  listSources(w.scene, w.ledger);
   std::fill_n(w.particles.absorbed.data(), w.particles.owned, 0.0f);
   const LightReceived light = receiveLight(v, dt, all);
   absorb(w, light.lamps, dt, w.ledger.lamps);
