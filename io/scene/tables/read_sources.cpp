@@ -9,7 +9,8 @@ namespace {
 template<class Source> void readTimes(TableReader& r, Source& s) {
   r.number("start", s.start, "s", notNegative(), "time at which it is switched on");
   r.number("end", s.end, "s", orNever(notNegative()), "time at which it is switched off");
-  readMotion(r, "keyframes; the pose is linear in between and stays after the last", s.motion);
+  readMotion(r, "keyframes; the pose is linear in between, and constant before the first and after the last",
+             s.motion);
 }
 
 /// Checks the rules of all heat sources, and names those without a name.
