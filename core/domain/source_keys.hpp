@@ -12,7 +12,8 @@ namespace thaw {
 template<class Source> void readTimes(KeyTable& keys, Source& s) {
   keys.number("start", s.start, "s", notNegative(), "time at which it is switched on");
   keys.number("end", s.end, "s", orNever(notNegative()), "time at which it is switched off");
-  keys.motion(s.motion, "keyframes; the pose is linear in between and stays after the last");
+  keys.motion(s.motion,
+              "keyframes; the pose is linear in between, and constant before the first and after the last");
   if (keys.reading() && s.end < s.start) keys.fail("end", "must not be before `start`", {"start"});
 }
 

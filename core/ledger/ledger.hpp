@@ -3,6 +3,7 @@
 // explains.
 #pragma once
 #include <cstdint>
+#include <vector>
 
 #include "core/math/exact_sum.hpp"
 #include "core/math/vec3.hpp"
@@ -28,6 +29,12 @@ struct SourceSums {
   ExactSum given, absorbed, reflected;
 };
 
+/// Use of one lamp, laser or heated region.
+struct SourceUse {
+  double given = 0;           ///< J, the same on all ranks
+  std::int64_t absorbed = 0;  ///< 1: a particle of this rank has absorbed energy of the source, else 0
+};
+
 /// Flows since the start, on this rank only; the sum over ranks is meaningful. In every checkpoint.
 struct Ledger {
   ExactBalance entered, left;  ///< emitters, open sides
@@ -42,6 +49,8 @@ struct Ledger {
                          ///< 0) or created
   ExactSum restartJump;  ///< J, stored energy that changed coefficients at a restart created (> 0) or removed
   SourceSums lamps, lasers, regions;  ///< the absorbed parts are in heatIn
+  std::vector<SourceUse> sourceUse;   ///< lamps, then lasers, then heated regions; empty before their first
+                                      ///< step
   ExactSum evaporated;                ///< kg, vapour; also in left.mass
   ExactSum vapourHeat;                ///< J, latent heat of the vapour; minus this is in heatIn
   Balance initial;                    ///< global, at time 0

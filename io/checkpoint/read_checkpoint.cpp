@@ -146,6 +146,13 @@ CheckpointHeader headerOf(const H5File& file) {
       throw IoError(file.path(), "is damaged: " + name + " has an unexpected size");
     file.read(name, {0, ExactSum::digits}, Element::I64, s.sum->digit.data());
   }
+  if (const std::string name = at + "/source_use"; file.has(name)) {
+    const DatasetShape shape = file.shape(name);
+    if (shape.components != 2) throw IoError(file.path(), "is damaged: " + name + " has an unexpected size");
+    std::vector<double> use(2 * shape.rows);
+    file.read(name, {0, shape.rows}, Element::F64, use.data());
+    for (std::size_t k = 0; k < use.size(); k += 2) h.ledger.sourceUse.push_back({use[k], use[k + 1] > 0});
+  }
   for (const NamedValue& v : valuesOf(h.ledger.initial))
     if (file.hasAttribute(at + "/initial", v.name)) *v.value = file.number(at + "/initial", v.name);
   for (const std::string& name : file.attributes(at + "/values"))
@@ -301,6 +308,7 @@ std::vector<std::byte> restoreWorld(World& w, const CheckpointSlice& s, bool fir
   w.counters = firstRank ? h.counters : Counters{};
   w.ledger = firstRank ? h.ledger : Ledger{};
   w.ledger.initial = h.ledger.initial;
+  w.ledger.sourceUse = h.ledger.sourceUse;
   w.watch = h.watch;
 
   if (h.solids > 0 && !w.solids.id.active)

@@ -141,6 +141,10 @@ void writeHeader(H5File& file, const CheckpointHeader& h) {
     file.setText(name, "units", s.unit);
     file.setNumber(name, "value", s.sum->value());
   }
+  std::vector<double> use;
+  for (const SourceUse& s : ledger.sourceUse)
+    use.insert(use.end(), {s.given, static_cast<double>(s.absorbed)});
+  if (!use.empty()) file.writeAll(at + "/source_use", {Element::F64, ledger.sourceUse.size(), 2}, use.data());
   file.createGroup(at + "/initial");
   for (const NamedValue& v : valuesOf(ledger.initial)) file.setNumber(at + "/initial", v.name, *v.value);
   file.createGroup(at + "/values");
@@ -195,7 +199,8 @@ void writeState(const std::string& path, std::int64_t sequence, MPI_Comm comm, c
       {"/order/solid_particle", {Element::U64, solids.all, 0}, solids.mine, order.particle.data(), "1", {}});
   content.datasets.push_back(
       {"/order/first_bond", {Element::U64, solids.all, 0}, solids.mine, firstBond.data(), "1", {}});
-  content.smallBytes = stamp.sceneText.size() + h.surface.components.size() * sizeof(SurfaceComponent) +
+  content.smallBytes = stamp.sceneText.size() + h.ledger.sourceUse.size() * sizeof(SourceUse) +
+                       h.surface.components.size() * sizeof(SurfaceComponent) +
                        h.surface.events.size() * sizeof(SurfaceEvent);
   content.small = [&](H5File& file) {
     writeHeader(file, h);

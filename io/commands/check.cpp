@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <utility>
 
 #include "core/geometry/basic/shape_error.hpp"
@@ -16,6 +17,7 @@
 #include "core/scene/phase_density.hpp"
 #include "core/simulation/ledger/report.hpp"
 #include "core/simulation/memory.hpp"
+#include "core/simulation/setup/warnings/empty_regions.hpp"
 #include "core/simulation/setup/warnings/thick_flow.hpp"
 #include "core/simulation/time/limits.hpp"
 #include "core/simulation/world/body_types.hpp"
@@ -260,7 +262,8 @@ CheckReport makeReport(const Communicator& comm, const CheckOptions& o) {
     for (const std::string& line : large) std::printf("%s\n", line.c_str()), std::fflush(stdout);
   c.simulation.prepare(meshLoader());
   requireMemory(comm, w, t.shapes);
-  const SamplingReport sampled = c.simulation.start(meshLoader());
+  SamplingReport sampled = c.simulation.start(meshLoader());
+  std::ranges::move(emptyRegions(w, meshLoader(), all), std::back_inserter(sampled.warnings));
   const std::vector<OrientedWork::Event> idle = t.oriented.idle;  // at the start
   const std::vector<OrientedWork::Field> unusedFields = t.oriented.unusedFields;
   // Emission and growth in the steps below change these counts.

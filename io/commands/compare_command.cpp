@@ -11,6 +11,7 @@
 #include "io/checkpoint/damaged_rows.hpp"
 #include "io/compare/compare.hpp"
 #include "io/text/command_error.hpp"
+#include "io/text/finite_number.hpp"
 
 namespace thaw {
 namespace {
@@ -84,6 +85,7 @@ CLI::App* addCompareCommand(CLI::App& app, CompareArguments& arguments) {
       ->add_option("--tolerance", arguments.tolerance,
                    "allowed difference, relative to the largest magnitude in each field; without it, values "
                    "must match bit for bit")
+      ->check(finiteNumber())
       ->check(CLI::NonNegativeNumber);
   command->add_flag("--frames", arguments.frames, "compare all frames of two runs as well");
   command->add_flag("--all", arguments.all, "list all general differences, not only a few of each kind");

@@ -11,6 +11,7 @@
 #include "io/commands/export/export_frames.hpp"
 #include "io/hdf5/io_error.hpp"
 #include "io/text/command_error.hpp"
+#include "io/text/finite_number.hpp"
 
 namespace thaw {
 
@@ -52,11 +53,13 @@ void addExportOptions(CLI::App& command, ExportOptions& o) {
                   "source of the colours: surface (its own colours) or a field: temperature, liquid, detail")
       ->capture_default_str();
   command.add_option("--map", o.map, "colour map of a field: ember, sea, grey")->capture_default_str();
-  command.add_option("--min", o.min,
-                     "lowest value of the colour scale, SI (default: the lowest of the frame)");
-  command.add_option("--max", o.max, "highest value of the colour scale, SI");
+  command
+      .add_option("--min", o.min, "lowest value of the colour scale, SI (default: the lowest of the frame)")
+      ->check(finiteNumber());
+  command.add_option("--max", o.max, "highest value of the colour scale, SI")->check(finiteNumber());
   command
       .add_option("--cell", o.cell, "edge of the cubes of the mesh grid, over the mean radius of the surfels")
+      ->check(finiteNumber())
       ->check(CLI::Range(0.2, 10.0))
       ->capture_default_str();
   command

@@ -13,7 +13,9 @@
 
 #include "io/commands/plot_script.hpp"
 #include "io/hdf5/io_error.hpp"
+#include "io/hdf5/make_folder.hpp"
 #include "io/text/command_error.hpp"
+#include "io/text/png_name.hpp"
 #include "io/text/shell_word.hpp"
 
 namespace fs = std::filesystem;
@@ -39,11 +41,12 @@ std::string findPython() {
 
 void draw(const PlotOptions& o) {
   std::error_code error;
-  if (!fs::is_directory(o.run, error)) throw IoError(o.run.string(), "no such folder");
+  if (!fs::is_directory(o.run, error))
+    throw IoError(o.run.string(),
+                  fs::exists(o.run, error) ? "is a file: expected the folder of a run" : "no such folder");
   const fs::path picture = o.out.empty() ? o.run / "pictures" / "plot.png" : o.out;
   const std::string python = findPython();
-  if (picture.has_parent_path() && !fs::create_directories(picture.parent_path(), error) && error)
-    throw IoError(picture.parent_path().string(), error.message());
+  makeFolder(picture.parent_path());
   const std::string command = fmt::format("{} - {} {}", shellWord(python), shellWord(o.run.string()),
                                           shellWord(picture.string()));
   auto* const before = std::signal(SIGPIPE, SIG_IGN);
@@ -63,7 +66,8 @@ CLI::App* addPlotCommand(CLI::App& app, PlotOptions& o) {
   CLI::App* c = app.add_subcommand(
       "plot", "draw energies, heat, front, time step and phases of a run; needs python3 with matplotlib");
   c->add_option("run", o.run, "folder of a run, finished or running")->required();
-  c->add_option("--out", o.out, "picture (PNG) (default: pictures/plot.png in the run's folder)");
+  c->add_option("--out", o.out, "picture (PNG) (default: pictures/plot.png in the run's folder)")
+      ->check(pngName());
   return c;
 }
 

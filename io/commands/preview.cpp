@@ -12,6 +12,7 @@
 
 #include "core/geometry/basic/signed_distance.hpp"
 #include "io/hdf5/io_error.hpp"
+#include "io/hdf5/make_folder.hpp"
 #include "io/image/text.hpp"
 #include "io/render/draw_lines.hpp"
 #include "io/render/frame_source.hpp"
@@ -20,6 +21,7 @@
 #include "io/scene/scene_for_all.hpp"
 #include "io/simulation/simulation.hpp"
 #include "io/text/command_error.hpp"
+#include "io/text/png_name.hpp"
 #include "io/view/page/export_page.hpp"
 #include "io/view/page/page_file.hpp"
 
@@ -217,8 +219,10 @@ void drawPicture(const Scene& scene, const fs::path& run, const PreviewOptions& 
     if (!job.min && !job.max) removeUniform(points);
     return points;
   });
-  if (file.has_parent_path()) fs::create_directories(file.parent_path());
-  fs::copy_file(written.front(), file, fs::copy_options::overwrite_existing);
+  makeFolder(file.parent_path());
+  std::error_code error;
+  if (!fs::copy_file(written.front(), file, fs::copy_options::overwrite_existing, error) || error)
+    throw IoError(file.string(), "cannot be written: " + error.message());
   fmt::print("{}\n", file.string());
 }
 
@@ -256,8 +260,10 @@ void addPreviewOptions(CLI::App& command, PreviewOptions& o) {
   command.add_option("scene", o.scene, "scene file (TOML)")->required();
   command.add_option("--set", o.overrides, "override a key of the scene: key=value; may be repeated")
       ->allow_extra_args(false);
-  command.add_option("--out", o.out,
-                     "file of the picture (default: NAME_preview.png; none with --html alone)");
+  command
+      .add_option("--out", o.out,
+                  "file of the picture (PNG) (default: NAME_preview.png; none with --html alone)")
+      ->check(pngName());
   command.add_option("--html", o.html, "write an interactive page for the browser to this file");
   command.add_flag("--through", o.through, "show what the scene's camera sees, not the whole domain");
   command.add_option("--width", o.width, "pixels (default: the scene's)")->check(CLI::Range(16, 16384));

@@ -15,6 +15,8 @@
 #include "io/render/movie.hpp"
 #include "io/render/scene_job.hpp"
 #include "io/text/command_error.hpp"
+#include "io/text/finite_number.hpp"
+#include "io/text/png_name.hpp"
 
 namespace thaw {
 
@@ -157,20 +159,27 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
   command.add_option("path", o.input, "frame (.hdf), series index (.hdf.series), or run folder")->required();
   command.add_option("--out", o.out, "folder of the pictures (default: pictures/ in the run's folder)");
   auto* latest = command.add_flag("--latest", o.latest, "only the newest frame, also of a running run");
-  command.add_option("--sheet", o.sheet, "write a contact sheet of the run to this file as well")
+  command.add_option("--sheet", o.sheet, "write a contact sheet (PNG) of the run to this file as well")
+      ->check(pngName())
       ->excludes(latest);
   command.add_option(
       "--field", o.field,
       "field of the colours: a name, speed, or none; for surfaces also surface (its own colours) and glow "
       "(own colours that blend into those of the temperature) (default: the scene's choice)");
-  command.add_option(
-      "--min", o.min,
-      "lowest value of the colour scale, SI (default: the scene's, or the lowest in all frames)");
-  command.add_option("--max", o.max, "highest value of the colour scale, SI");
+  command
+      .add_option("--min", o.min,
+                  "lowest value of the colour scale, SI (default: the scene's, or the lowest in all frames)")
+      ->check(finiteNumber());
+  command.add_option("--max", o.max, "highest value of the colour scale, SI")->check(finiteNumber());
   command.add_option("--map", o.map, "colour map: ember, sea, grey")->capture_default_str();
-  command.add_option("--from", o.from, "position of the camera in m: x y z")->expected(3);
-  command.add_option("--at", o.at, "point in m that the camera looks at: x y z")->expected(3);
+  command.add_option("--from", o.from, "position of the camera in m: x y z")
+      ->expected(3)
+      ->check(finiteNumber());
+  command.add_option("--at", o.at, "point in m that the camera looks at: x y z")
+      ->expected(3)
+      ->check(finiteNumber());
   command.add_option("--fov", o.fieldOfView, "vertical field of view in degrees")
+      ->check(finiteNumber())
       ->check(CLI::Range(1.0, 170.0));
   command.add_flag("--fit", o.fit, "fit the camera to the particles, instead of the scene's camera");
   command.add_flag("!--no-obstacles", o.obstacles, "do not draw obstacles and floors");
@@ -186,6 +195,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
       .add_option("--radius", o.radius,
                   "radius of the spheres, in particle spacings (default 0.7), or of the surface's discs, in "
                   "their own radii (default 1.25)")
+      ->check(finiteNumber())
       ->check(CLI::Range(0.01, 100.0));
   command.add_option("--what", o.what, "surface, particles, or automatic: the surface if the run has one")
       ->check(CLI::IsMember({"surface", "particles", "automatic"}))
@@ -204,6 +214,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
   command.add_flag("--movie", o.movie, "make a movie (mp4) of the pictures as well; needs ffmpeg")
       ->excludes(latest);
   command.add_option("--rate", o.rate, "pictures per second of the movie")
+      ->check(finiteNumber())
       ->check(CLI::Range(0.1, 240.0))
       ->capture_default_str();
   command.add_option("--threads", o.threads, "frames drawn at once (default: one per core)")

@@ -13,7 +13,8 @@ namespace thaw {
 fs::path runFolder(const fs::path& given) {
   std::error_code error;
   fs::path folder = fs::canonical(given, error);
-  if (error || !fs::is_directory(folder)) throw IoError(given.string(), "no such folder");
+  if (error) throw IoError(given.string(), "no such folder");
+  if (!fs::is_directory(folder)) throw IoError(given.string(), "is a file: a page needs the folder of a run");
   if (folder.filename() == "frames") folder = folder.parent_path();
   constexpr std::array<const char*, 4> signs{"frames", "summary.json", "progress.csv", "lock"};
   if (std::none_of(signs.begin(), signs.end(), [&](const char* name) { return fs::exists(folder / name); }))

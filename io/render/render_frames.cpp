@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "io/hdf5/make_folder.hpp"
 #include "io/image/annotate.hpp"
 #include "io/image/parallel_for.hpp"
 #include "io/render/light/surface_normals.hpp"
@@ -168,7 +169,7 @@ std::vector<fs::path> renderFrames(const FrameJob& job, const ReadFrame& read) {
   style.colours = {job.min.value_or(coloured ? common.min : 0), job.max.value_or(coloured ? common.max : 1),
                    job.map, job.field == "glow" ? "temperature" : job.field, common.unit};
 
-  fs::create_directories(job.out);
+  makeFolder(job.out);
   const int threads = job.threads > 0 ? job.threads
                                       : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   const std::vector<std::size_t> chosen = job.sheet.empty() ? std::vector<std::size_t>{}
@@ -200,7 +201,7 @@ std::vector<fs::path> renderFrames(const FrameJob& job, const ReadFrame& read) {
     writePng(picture, written[f]);
   });
   if (!job.sheet.empty()) {
-    if (job.sheet.has_parent_path()) fs::create_directories(job.sheet.parent_path());
+    makeFolder(job.sheet.parent_path());
     writePng(sheetWithBar(cells, labels, job.columns, coloured ? &style.colours : nullptr), job.sheet);
     written.push_back(job.sheet);
   }

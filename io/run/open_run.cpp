@@ -7,6 +7,7 @@
 #include "core/flow/density/connected_density.hpp"
 #include "io/hdf5/collective_error.hpp"
 #include "io/run/reports/progress.hpp"
+#include "io/run/reports/unused_sources.hpp"
 #include "io/run/require_memory.hpp"
 #include "io/run/resolution_line.hpp"
 #include "io/run/retry.hpp"
@@ -155,6 +156,7 @@ int finishRun(Run& r, int code, std::string why) {
     writeLastSnapshot(r);
     writeCheckpointOf(r);
     warnOfThinLiquid(r);
+    for (const std::string& line : unusedSourceLines(r.world, r.all)) r.warn(line);
   }
   summarise(r, code == exitDone ? "done" : code == exitStopped ? "stopped" : "failed", why);
   // The caller prints the message of a failure.

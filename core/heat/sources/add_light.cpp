@@ -113,9 +113,11 @@ LightReceived receiveLight(const LightTarget& w, double dt, Reducer& all) {
   LightReceived light;
   if (work.sources.empty()) return light;
   Ledger& ledger = w.heat.ledger;
-  for (const LightSource& source : work.sources)
-    if (all.rank() == 0)
-      (source.laser ? ledger.lasers : ledger.lamps).given.add(givenPower(source, s.domain) * dt);
+  for (const LightSource& source : work.sources) {
+    const double given = givenPower(source, s.domain) * dt;
+    ledger.sourceUse[source.source].given += given;
+    if (all.rank() == 0) (source.laser ? ledger.lasers : ledger.lamps).given.add(given);
+  }
   const Bounds bodies = boundsOfAll(p, all);
   if (bodies.min.x > bodies.max.x) return light;
   work.views.clear();
@@ -133,9 +135,13 @@ LightReceived receiveLight(const LightTarget& w, double dt, Reducer& all) {
   const LightStops stops{w.walls, {s.domain.min, s.domain.max}, s.spacing};
   light.lamps.assign(s.lamps.empty() ? 0 : p.owned, 0.0);
   light.lasers.assign(s.lasers.empty() ? 0 : p.owned, 0.0);
-  for (const LitRow& lit : work.lit)
-    (work.sources[work.views[lit.view].source].laser ? light.lasers : light.lamps)[lit.row] += lightOn(
-        w, stops, lit);
+  for (const LitRow& lit : work.lit) {
+    const LightSource& source = work.sources[work.views[lit.view].source];
+    const double received = lightOn(w, stops, lit);
+    (source.laser ? light.lasers : light.lamps)[lit.row] += received;
+    if (received * dt > 0 && s.materials[p.material[lit.row]].absorptivity > 0)
+      ledger.sourceUse[source.source].absorbed = 1;
+  }
   return light;
 }
 

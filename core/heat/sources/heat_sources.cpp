@@ -19,17 +19,17 @@ void give(const HeatView& w, std::size_t i, double flow, double dt, ExactSum& ab
   absorbed.add(flow * dt);
 }
 
-/// Returns the rows of the particles that a region heats.
-std::vector<std::uint32_t> rowsIn(const HeatedRegion& region, const SignedDistance& shape, const Pose& pose,
-                                  const Continuum& p) {
-  std::vector<std::uint32_t> rows;
-  const Bounds bounds = shape.bounds();
-  for (std::size_t i = 0; i < p.owned; i++) {
-    if (region.material >= 0 && p.material[i] != region.material) continue;
-    const Vec3d x = toRest(pose, p.position[i]);
-    if (nearBounds(bounds, x, 0) && shape.inside(x)) rows.push_back(static_cast<std::uint32_t>(i));
-  }
-  return rows;
+/// Makes an entry for each source of the scene. Other sources than before have unknown shares of what was
+/// absorbed: any of it counts for all of their kind.
+void listSources(const Scene& s, Ledger& ledger) {
+  if (ledger.sourceUse.size() == s.lamps.size() + s.lasers.size() + s.heatedRegions.size()) return;
+  ledger.sourceUse.clear();
+  const auto add = [&](std::size_t count, const SourceSums& sums) {
+    ledger.sourceUse.resize(ledger.sourceUse.size() + count, {0, sums.absorbed.value() > 0});
+  };
+  add(s.lamps.size(), ledger.lamps);
+  add(s.lasers.size(), ledger.lasers);
+  add(s.heatedRegions.size(), ledger.regions);
 }
 
 /// Adds the absorbed part of the received light (W, by owned row), and records it with the reflected part.
@@ -70,6 +70,7 @@ double regionStepLimit(const Scene& s, double time) {
 
 void addLight(const LightTarget& to, double dt, Reducer& all) {
   const HeatView& w = to.heat;
+  listSources(w.scene, w.ledger);
   const LightReceived light = receiveLight(to, dt, all);
   absorb(w, light.lamps, dt, w.ledger.lamps);
   absorb(w, light.lasers, dt, w.ledger.lasers);
@@ -79,6 +80,7 @@ void addLight(const LightTarget& to, double dt, Reducer& all) {
 void addRegionHeat(const HeatView& w, const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
                    double dt, Reducer& all) {
   const Scene& s = w.scene;
+  listSources(s, w.ledger);
   std::vector<std::vector<std::uint32_t>> rows(s.heatedRegions.size());
   std::vector<std::int64_t> digits;
   const double begin = w.clock.time, end = begin + dt;
@@ -86,7 +88,7 @@ void addRegionHeat(const HeatView& w, const std::vector<std::shared_ptr<const Si
     const HeatedRegion& region = s.heatedRegions[k];
     ExactSum mass;
     if (shareOn(region.start, region.end, begin, end) > 0) {
-      rows[k] = rowsIn(region, *shapes[k], poseAt(region.motion, 0.5 * (begin + end)), w.particles);
+      rows[k] = rowsInRegion(region, *shapes[k], poseAt(region.motion, 0.5 * (begin + end)), w.particles);
       for (const std::uint32_t i : rows[k]) mass.add(w.particles.mass[i]);
     }
     mass.carry();
@@ -96,6 +98,9 @@ void addRegionHeat(const HeatView& w, const std::vector<std::shared_ptr<const Si
   for (std::size_t k = 0; k < rows.size(); k++) {
     const HeatedRegion& region = s.heatedRegions[k];
     const double power = region.power * shareOn(region.start, region.end, begin, end);
+    SourceUse& use = w.ledger.sourceUse[s.lamps.size() + s.lasers.size() + k];
+    use.given += power * dt;
+    if (power * dt > 0 && !rows[k].empty()) use.absorbed = 1;
     if (all.rank() == 0) w.ledger.regions.given.add(power * dt);
     ExactSum mass;
     std::copy_n(digits.data() + k * ExactSum::digits, ExactSum::digits, mass.digit.data());
@@ -103,6 +108,18 @@ void addRegionHeat(const HeatView& w, const std::vector<std::shared_ptr<const Si
     for (const std::uint32_t i : rows[k])
       give(w, i, power * (w.particles.mass[i] / total), dt, w.ledger.regions.absorbed);
   }
+}
+
+std::vector<std::uint32_t> rowsInRegion(const HeatedRegion& region, const SignedDistance& shape,
+                                        const Pose& pose, const Continuum& p) {
+  std::vector<std::uint32_t> rows;
+  const Bounds bounds = shape.bounds();
+  for (std::size_t i = 0; i < p.owned; i++) {
+    if (region.material >= 0 && p.material[i] != region.material) continue;
+    const Vec3d x = toRest(pose, p.position[i]);
+    if (nearBounds(bounds, x, 0) && shape.inside(x)) rows.push_back(static_cast<std::uint32_t>(i));
+  }
+  return rows;
 }
 
 }  // namespace thaw

@@ -18,13 +18,17 @@ struct LightTarget {
   LightWork& work;
 };
 
+/// Returns the owned rows of the particles that a region at this pose heats.
+std::vector<std::uint32_t> rowsInRegion(const HeatedRegion& region, const SignedDistance& shape,
+                                        const Pose& pose, const Continuum& particles);
+
 /// Adds the absorbed light of lamps and lasers to heatFlow and Continuum::absorbed for the step of length dt
 /// (s) that begins now, by positions at its end. Moving sources are where they are in the middle of the step.
-/// Records the energies in Ledger::lamps, lasers and heatIn. dt = 0: at the start, for frames.
+/// Records the energies in Ledger::lamps, lasers and sourceUse, and in heatIn. dt = 0: at the start, for frames.
 /// Requires: Modules::lamps. Collective.
 void addLight(const LightTarget& target, double dt, Reducer& all);
 
-/// The same for heated regions, in Ledger::regions. shapes: those of Scene::heatedRegions.
+/// The same for heated regions, in Ledger::regions and sourceUse. shapes: those of Scene::heatedRegions.
 void addRegionHeat(const HeatView& view, const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
                    double dt, Reducer& all);
 

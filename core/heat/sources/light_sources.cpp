@@ -37,12 +37,13 @@ std::vector<LightSource> lightSources(const Scene& s, double begin, double end, 
   const double middle = 0.5 * (begin + end);
   std::size_t number = 0;
   for (const Lamp& lamp : s.lamps) {
-    const std::size_t first = number;
+    const std::size_t source = static_cast<std::size_t>(&lamp - s.lamps.data()), first = number;
     number += lamp.kind == LampKind::Area ? areaPoints : 1;
     const double share = shareOn(lamp.start, lamp.end, begin, end);
     if (share == 0) continue;
     const Pose pose = poseAt(lamp.motion, middle);
     LightSource one;
+    one.source = source;
     one.number = first;
     one.position = fromRest(pose, lamp.position);
     one.direction = normalized(directionFromRest(pose, lamp.direction));
@@ -62,6 +63,7 @@ std::vector<LightSource> lightSources(const Scene& s, double begin, double end, 
     if (share == 0) continue;
     const Pose pose = poseAt(laser.motion, middle);
     LightSource one;
+    one.source = s.lamps.size() + static_cast<std::size_t>(&laser - s.lasers.data());
     one.number = first;
     one.profile = LightProfile::Gaussian;
     one.power = share * laser.power;

@@ -29,6 +29,7 @@ struct LightSource {
   Vec3d position{};   ///< m
   Vec3d direction{};  ///< 1, unit
   bool laser = false;
+  std::size_t source = 0;  ///< counts the lamps of the scene, then its lasers
   std::size_t number = 0;  ///< counts all sources of the scene and all points of area lamps
 };
 

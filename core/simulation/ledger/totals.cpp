@@ -8,7 +8,8 @@ constexpr std::size_t balanceSums = 11, ledgerSums = 2 * balanceSums + 25,
                       worldCounts = sizeof(Counters) / sizeof(std::int64_t);
 static_assert(sizeof(ExactBalance) == balanceSums * sizeof(ExactSum),
               "list the new sum in addBalance, and in valuesOf");
-static_assert(sizeof(Ledger) == ledgerSums * sizeof(ExactSum) + sizeof(Balance),
+static_assert(sizeof(Ledger) ==
+                  ledgerSums * sizeof(ExactSum) + sizeof(std::vector<SourceUse>) + sizeof(Balance),
               "list the new sum in sumsOf");
 static_assert(worldCounts == 36, "list the new counter in countsOf");
 static_assert(sizeof(SurfaceCounters) == 11 * sizeof(std::int64_t), "list the new counter in countsOf");
@@ -154,7 +155,10 @@ Ledger globalLedger(const Ledger& mine, Reducer& all) {
     s.sum->carry();  // digits below 2^32 can be added over 2^31 ranks
     digits.insert(digits.end(), s.sum->digit.begin(), s.sum->digit.end());
   }
+  for (const SourceUse& use : sum.sourceUse) digits.push_back(use.absorbed);
   all.sum(digits);
+  for (std::size_t k = 0; k < sum.sourceUse.size(); k++)
+    sum.sourceUse[k].absorbed = digits[list.size() * ExactSum::digits + k] > 0;
   for (std::size_t k = 0; k < list.size(); k++) {
     std::copy_n(digits.begin() + static_cast<std::ptrdiff_t>(k * ExactSum::digits), ExactSum::digits,
                 list[k].sum->digit.begin());

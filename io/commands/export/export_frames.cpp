@@ -10,6 +10,7 @@
 
 #include "io/commands/export/estimate.hpp"
 #include "io/commands/export/in_order.hpp"
+#include "io/hdf5/make_folder.hpp"
 #include "io/meshes/read_mesh.hpp"
 #include "io/render/frame_source.hpp"
 
@@ -61,6 +62,35 @@ void startUv(ExportRun& run) {
   else run.job.uv = &*run.uv;
 }
 
+bool isFolder(const fs::path& path) {
+  std::error_code error;
+  return fs::is_directory(path, error);
+}
+
+/// Returns the part of a format's ending that is the extension of a path: ".ply" of ".discs.ply".
+std::string lastEnding(const ExportFormat& format) {
+  const std::string ending = format.extension;
+  return ending.substr(ending.rfind('.'));
+}
+
+/// Refuses an `--out` that is neither a folder nor, for one frame, a file of the format.
+void checkOut(const fs::path& out, const ExportFormat& format, std::size_t frames) {
+  if (out.empty() || isFolder(out)) return;
+  const std::string ending = out.extension().string();
+  if (frames == 1) {
+    if (ending.empty() || ending == lastEnding(format)) return;
+    throw std::invalid_argument(fmt::format("--out: expected a folder or a file that ends in {}, got {}",
+                                            lastEnding(format), out.string()));
+  }
+  const auto isOf = [&](const ExportFormat& f) { return ending == lastEnding(f); };
+  std::error_code error;
+  if (fs::exists(out, error) || ending == ".usd" || std::ranges::any_of(exportFormats(), isOf))
+    throw std::invalid_argument(
+        fmt::format("--out: --as {} writes a file for each of {} frames: expected a "
+                    "folder, got {}",
+                    format.name, frames, out.string()));
+}
+
 }  // namespace
 
 fs::path exportFolder(const fs::path& input) {
@@ -107,12 +137,13 @@ void startExport(const ExportOptions& options, const ExportFormat& format, Expor
 void exportFrames(const ExportOptions& options, const ExportFormat& format) {
   ExportRun run;
   startExport(options, format, run);
-  const bool one = run.groups.size() == 1 && !fs::is_directory(options.out) && options.out.has_extension();
+  checkOut(options.out, format, run.groups.size());
+  const bool one = run.groups.size() == 1 && !isFolder(options.out) && options.out.has_extension();
   const fs::path folder = options.out.empty() ? exportFolder(options.input) : options.out;
   std::vector<fs::path> files;
   for (const FrameGroup& group : run.groups)
     files.push_back(one ? options.out : folder / (outputName(group, run.job.contents) + format.extension));
-  if (files[0].has_parent_path()) fs::create_directories(files[0].parent_path());
+  makeFolder(files[0].parent_path());
   std::vector<std::size_t> todo;
   for (std::size_t k = 0; k < files.size(); k++)
     if (!options.resume || !isComplete(files[k], {run.groups[k]})) todo.push_back(k);
@@ -144,7 +175,7 @@ namespace {
 void exportAsOne(const fs::path& out, const ExportOptions& options, const char* other,
                  void write(const fs::path& file, const std::string& name, ExportRun& run)) {
   const ExportFormat& format = exportFormatNamed(options.as);
-  const std::string ending = out.extension().string();
+  const std::string ending = isFolder(out) ? "" : out.extension().string();
   if (!ending.empty() && ending != format.extension && ending != other)
     throw std::invalid_argument(
         fmt::format("--out: expected a folder or a file that ends in {} or {}, got {}", format.extension,
@@ -159,7 +190,7 @@ void exportAsOne(const fs::path& out, const ExportOptions& options, const char* 
     fmt::print("{} is complete and kept\n", file.string());
     return;
   }
-  if (file.has_parent_path()) fs::create_directories(file.parent_path());
+  makeFolder(file.parent_path());
   write(file, name, run);
 }
 

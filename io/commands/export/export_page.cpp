@@ -23,7 +23,11 @@ namespace {
 
 /// Returns the file of the page: `out` itself, or NAME.html in that folder.
 fs::path pageFile(const fs::path& out, const fs::path& run) {
-  if (out.extension() == ".html" && !fs::is_directory(out)) return out;
+  std::error_code error;
+  const bool folder = fs::is_directory(out, error);
+  if (out.extension() == ".html" && !folder) return out;
+  if (out.has_extension() && !folder)
+    throw std::invalid_argument("--out: expected a folder or a file that ends in .html, got " + out.string());
   return (out.empty() ? exportFolder(run) : out) / (run.filename().string() + ".html");
 }
 

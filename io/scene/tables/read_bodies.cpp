@@ -110,7 +110,8 @@ void readObstacle(TableReader& r, Obstacle& o, SceneReading& x) {
               "look in pictures: clear glass, or solid in its colour, with shadows; a plane is a floor");
   o.look = static_cast<ObstacleLook>(look);
   readColourKey(r, o.colour, "colour in exports, and in pictures if it looks solid; default: a pale grey");
-  readMotion(r, "keyframes; the pose is linear in between and stays after the last", o.motion);
+  readMotion(r, "keyframes; the pose is linear in between, and constant before the first and after the last",
+             o.motion);
   if (!r.reading()) return;
   if (o.conductance < never && !o.temperature)
     r.fail("conductance", "an obstacle without a temperature conducts no heat: set `temperature`, too",

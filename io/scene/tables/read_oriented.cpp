@@ -47,7 +47,10 @@ void readAnchor(TableReader& r, OrientedAnchor& a) {
   r.flag("normal", a.normal, "fixes particle orientations");
   r.restart(Restart::Coefficient);
   r.number("until", a.until, "s", orNever(notNegative()), "time at which the particles are released");
-  readMotion(r, "keyframes of the constrained particles; linear in between", a.motion);
+  readMotion(r,
+             "keyframes of the constrained particles; linear in between, and constant before the first and "
+             "after the last",
+             a.motion);
   if (!a.position && !a.normal)
     r.fail(r.place(), r.path() + ": has no effect: set `position = true`, `normal = true`, or both");
 }

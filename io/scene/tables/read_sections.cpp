@@ -15,7 +15,7 @@ void readInTime(TableReader& r, const char* key, FactorInTime& f, const char* ab
 void readMotion(TableReader& r, const char* about, std::vector<Keyframe>& motion, bool turns) {
   r.tables("motion", about, motion, [&](TableReader& k, Keyframe& f) {
     k.number("time", f.time, "s", notNegative(), "time of the keyframe; must ascend");
-    k.vector("move", f.move, "m", "displacement from the position at the start");
+    k.vector("move", f.move, "m", "displacement from the position without `motion`");
     if (turns) k.vector("rotate", f.rotate, "rad", "rotation about x, y, z through the origin");
     if (k.reading() && !motion.empty() && f.time <= motion.back().time)
       k.fail("time", "keyframes must ascend in time: expected a time after that of the last one");

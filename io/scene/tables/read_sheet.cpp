@@ -156,10 +156,11 @@ void readOuter(TableReader& r, SheetBody& b) {
              "radius R at which it ends; the profile is (1 - r^2/R^2)^2");
     t.vector("pressure", g.pressure, "Pa", "force per area of the sheet at the centre");
     readInTime(t, "in_time", g.inTime, "factor, linear in between", anyNumber());
-    readMotion(t,
-               "keyframes of its centre, linear in between; it acts along its whole path, also in steps "
-               "longer than its radius",
-               g.motion, false);
+    readMotion(
+        t,
+        "keyframes of its centre, linear in between, and constant before the first and after the last; "
+        "it acts along its whole path, also in steps longer than its radius",
+        g.motion, false);
     if (length(g.pressure) == 0) t.fail("pressure", "is missing or zero: expected a pressure [x, y, z]");
   });
   r.number("thickness", b.thickness, "m", notNegative(),

@@ -13,6 +13,7 @@
 
 #include "io/export/out_file.hpp"
 #include "io/hdf5/io_error.hpp"
+#include "io/hdf5/make_folder.hpp"
 #include "io/view/page/byte_planes.hpp"
 #include "io/view/page/frame_block.hpp"
 #include "io/view/page/page_file.hpp"
@@ -174,7 +175,7 @@ std::optional<Encoded> encodeAll(const Source& from, const Thinning& t, std::uin
 }
 
 void write(const fs::path& file, const std::string& page) {
-  if (file.has_parent_path()) fs::create_directories(file.parent_path());
+  makeFolder(file.parent_path());
   OutFile out(file);
   out.text(page);
   out.finish();

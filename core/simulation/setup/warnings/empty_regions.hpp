@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Warnings about heated regions without particles at the start.
+#pragma once
+#include <vector>
+
+#include "core/geometry/shapes/make_signed_distance.hpp"
+#include "core/halo/halo.hpp"
+#include "core/scene/scene_warning.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+/// Returns a warning for each heated region that does not move and holds no particle that it heats. Scenes
+/// with emitters have none, since emitted particles may reach the region. The same on any number of ranks.
+/// Requires: the particles of the start. Collective.
+std::vector<SceneWarning> emptyRegions(const World& world, const MeshLoader& load, Reducer& all);
+
+}  // namespace thaw

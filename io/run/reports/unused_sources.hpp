@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Warnings about lamps, lasers and heated regions of which nothing was absorbed.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/halo/halo.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+/// Returns a warning for each source that has given energy since the start of the run, and of which no
+/// particle has absorbed any. The same on any number of ranks. Collective.
+std::vector<std::string> unusedSourceLines(const World& world, Reducer& all);
+
+}  // namespace thaw
