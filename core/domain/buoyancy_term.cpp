@@ -8,9 +8,9 @@ namespace thaw {
 namespace {
 
 void readExpansion(KeyTable& keys, Material& m) {
-  keys.number(
-      "expansion", m.expansion, "1/K", between(-0.1, 0.1),
-      "coefficient of volume expansion of the liquid. It causes buoyancy, but does not change volumes at rest");
+  keys.number("expansion", m.expansion, "1/K", between(-0.1, 0.1),
+              "coefficient of volume expansion of the liquid. It causes buoyancy, but does not change "
+              "volumes at rest");
   keys.number("expansion_from", m.expansionFrom, "K", notNegative(),
               "temperature at which the liquid has `density`; 0: `domain.ambient`");
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# A run warns of each lamp, laser and heated region of which nothing was absorbed since its start: once, at its
-# end, with the same text on any number of ranks and after a restart. `thaw check` names empty regions.
+# A run warns of each lamp, laser and heated region of which nothing was absorbed since its start: once, at
+# its end, with the same text on any number of ranks and after a restart. `thaw check` names empty regions.
 . "$(dirname "$0")/../support/run.sh"
 cat >"$work/s.toml" <<'SCENE'
 spacing = "1 cm"

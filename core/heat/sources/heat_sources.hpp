@@ -24,8 +24,8 @@ std::vector<std::uint32_t> rowsInRegion(const HeatedRegion& region, const Signed
 
 /// Adds the absorbed light of lamps and lasers to heatFlow and Continuum::absorbed for the step of length dt
 /// (s) that begins now, by positions at its end. Moving sources are where they are in the middle of the step.
-/// Records the energies in Ledger::lamps, lasers and sourceUse, and in heatIn. dt = 0: at the start, for frames.
-/// Requires: Modules::lamps. Collective.
+/// Records the energies in Ledger::lamps, lasers and sourceUse, and in heatIn. dt = 0: at the start, for
+/// frames. Requires: Modules::lamps. Collective.
 void addLight(const LightTarget& target, double dt, Reducer& all);
 
 /// The same for heated regions, in Ledger::regions and sourceUse. shapes: those of Scene::heatedRegions.

@@ -12,9 +12,8 @@ std::vector<SceneWarning> emptyRegions(const World& w, const MeshLoader& load, R
   if (regions.empty() || !w.scene.emitters.empty()) return warnings;
   std::vector<std::int64_t> count;
   for (const HeatedRegion& r : regions) {
-    std::vector<std::string> problems;  // reported when the scene was read
-    const auto shape = makeSignedDistance(r.shape, load, "heated region '" + r.name + "'", problems);
-    count.push_back(shape ? std::ssize(rowsInRegion(r, *shape, poseAt(r.motion, r.start), w.particles)) : 1);
+    const std::shared_ptr<const SignedDistance> shape = makeSignedDistance(r.shape, load);
+    count.push_back(std::ssize(rowsInRegion(r, *shape, poseAt(r.motion, r.start), w.particles)));
   }
   all.sum(count);
   for (std::size_t k = 0; k < regions.size(); k++) {

@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "core/geometry/shapes/make_signed_distance.hpp"
+#include "core/geometry/basic/signed_distance.hpp"
 #include "core/halo/halo.hpp"
 #include "core/scene/scene_warning.hpp"
 #include "core/simulation/world/world.hpp"
