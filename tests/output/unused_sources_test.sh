@@ -62,13 +62,16 @@ sphere = { radius = 0.01 }
 place = { move = [0.25, 0, 0.4] }
 start = "1 s"
 SCENE
-line() { grep -n -F "name = \"$1\"" "$work/s.toml" | cut -d : -f 1; }
+place() {  # place NAME: file, line and column of the table of a source
+  echo "$work/s.toml:$(($(grep -n -F "name = \"$1\"" "$work/s.toml" | cut -d : -f 1) - 1)):1"
+}
+unused() {  # unused KIND NAME ENERGY WHY: the warning of a source
+  echo "warning: $(place "$2"): $1 '$2' has given $3, and nothing of it was absorbed: $4"
+}
 light='its light reached no particle of a material with `absorptivity` above 0'
-cat >"$work/expected" <<TEXT
-warning: $work/s.toml:$(($(line "below the floor") - 1)):1: lamp 'below the floor' has given 1 J, and nothing of it was absorbed: $light
-warning: $work/s.toml:$(($(line stray) - 1)):1: laser 'stray' has given 2 J, and nothing of it was absorbed: $light
-warning: $work/s.toml:$(($(line empty) - 1)):1: heated region 'empty' has given 2 J, and nothing of it was absorbed: no particle that it heats was in its shape
-TEXT
+unused lamp "below the floor" "1 J" "$light" >"$work/expected"
+unused laser stray "2 J" "$light" >>"$work/expected"
+unused "heated region" empty "2 J" "no particle that it heats was in its shape" >>"$work/expected"
 warnsAsExpected() {  # warnsAsExpected WHAT: the lines of the last command
   grep 'has given' "$work/log" | diff "$work/expected" - >"$work/difference" ||
     { fail "$1"; cat "$work/difference"; }
@@ -85,6 +88,6 @@ launch 3 run "$work/s.toml" --resume --out "$work/parts" >"$work/log" 2>&1; expe
 warnsAsExpected "warnings after a restart"
 
 launch 2 check "$work/s.toml" >"$work/log" 2>&1; expectExit 0 "check"
-expectMessage "s.toml:$(($(line empty) - 1)):1: heated region 'empty' holds no particle at the start" "an empty region"
+expectMessage "$(place empty): heated region 'empty' holds no particle at the start" "an empty region"
 [ "$(grep -c 'holds no particle' "$work/log")" = 1 ] || fail "one region is empty while it is on"
 finish
