@@ -53,7 +53,6 @@ double meltingOf(Dice& d, std::string& text) {
 struct RigidMaterial {
   std::string text;
   double melting = 0;  ///< K; 0: it does not melt
-  bool breaks = false;
 };
 
 RigidMaterial rigidMaterial(Dice& d, int number, double speed) {
@@ -67,8 +66,11 @@ RigidMaterial rigidMaterial(Dice& d, int number, double speed) {
                           density * d.between(0.85, 1.15));
   else add("density", density);
   if (melts) m.melting = meltingOf(d, m.text), add("viscosity", d.decades(1e-2, 100));
-  m.breaks = d.chance(0.3);
-  if (m.breaks) {
+  if (melts && d.chance(0.3)) {
+    add("weld_temperature", m.melting - d.between(40, 60));
+    if (d.chance(0.5)) add("weld_time", speed / 9.81 * d.decades(1e-3, 1));
+  }
+  if (d.chance(0.3)) {
     add("young", d.decades(1e6, 1e10));
     add("strength", density * speed * speed * d.decades(1, 1e3));
   }

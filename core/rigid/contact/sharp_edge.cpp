@@ -17,21 +17,21 @@ constexpr double onSurface = 0.05;       // spacings, largest distance of an edg
 constexpr double widths[] = {0.4, 0.8};  // spacings, distances of samples
 
 /// The plane n y = height through a face; y is relative to x.
-struct Face {
+struct FacePlane {
   Vec3d n{};
   double height = 0;  ///< m
 };
 
 /// Lists the faces that are nearest to samples inside of the shape around x.
-std::vector<Face> facesAround(const SignedDistance& shape, const Vec3d& x, double spacing) {
-  std::vector<Face> faces;
+std::vector<FacePlane> facesAround(const SignedDistance& shape, const Vec3d& x, double spacing) {
+  std::vector<FacePlane> faces;
   Vec3d n;
   const double depth = -shape.distance(x, &n);
   const auto add = [&](const Vec3d& y) {
     Vec3d normal;
     const double d = shape.distance(x + y, &normal);
     if (!(d < 0)) return;
-    for (const Face& f : faces)
+    for (const FacePlane& f : faces)
       if (dot(f.n, normal) > sameFace) return;
     faces.push_back({normal, dot(normal, y) - d});
   };
@@ -46,20 +46,20 @@ std::vector<Face> facesAround(const SignedDistance& shape, const Vec3d& x, doubl
 }
 
 /// Point nearest to the origin on the line where two planes meet.
-Vec3d meet(const Face& a, const Face& b) {
+Vec3d meet(const FacePlane& a, const FacePlane& b) {
   const double c = dot(a.n, b.n), d = 1 - c * c;
   return ((a.height - c * b.height) / d) * a.n + ((b.height - c * a.height) / d) * b.n;
 }
 
 /// Point where three planes meet.
-Vec3d meet(const Face& a, const Face& b, const Face& c) {
+Vec3d meet(const FacePlane& a, const FacePlane& b, const FacePlane& c) {
   return inverse(Mat3d{{a.n, b.n, c.n}}) * Vec3d{a.height, b.height, c.height};
 }
 
 }  // namespace
 
 Vec3d sharpEdge(const SignedDistance& shape, const Vec3d& x, double spacing) {
-  const std::vector<Face> f = facesAround(shape, x, spacing);
+  const std::vector<FacePlane> f = facesAround(shape, x, spacing);
   const auto lies = [&](const Vec3d& y) {
     return length(y) < farthest * spacing && std::abs(shape.distance(x + y, nullptr)) < onSurface * spacing;
   };
