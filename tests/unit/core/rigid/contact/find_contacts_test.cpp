@@ -141,9 +141,9 @@ TEST(FindContacts, FacesTouchAlongTheirNormalAtTheirOutline) {
     most[0] = std::max(most[0], f.contact.armA.x + f.contact.armA.y);
     most[1] = std::max(most[1], -f.contact.armA.x - f.contact.armA.y);
   }
-  EXPECT_EQ(onFloor, 4);
-  EXPECT_NEAR(most[0], 0.5, 1e-6);
-  EXPECT_NEAR(most[1], 0.5, 1e-6);
+  EXPECT_EQ(onFloor, 4);  // the corners of the cube of edge 0.6
+  EXPECT_NEAR(most[0], 0.6, 1e-6);
+  EXPECT_NEAR(most[1], 0.6, 1e-6);
   EXPECT_GE(between, 4);
   EXPECT_LE(between, 16);  // closed and open ones
 }
