@@ -104,7 +104,9 @@ void check(const Extension& e) {
   if (!isName(e.name))
     throw std::invalid_argument("extension '" + e.name +
                                 "': expected a name of letters, digits and underscores");
-  if (findExtension(e.name)) throw std::invalid_argument("extension '" + e.name + "' is registered already");
+  if (const Extension* other = findExtension(e.name))
+    throw std::invalid_argument("extension '" + e.name + "' is registered already" +
+                                (other->builtIn ? ", by the library: choose another name" : ""));
   if (e.model)
     throw std::invalid_argument("extension '" + e.name + "': only terms of the library have a model part");
   if (!e.usesTable() && !e.hasLaw() && !e.shape)

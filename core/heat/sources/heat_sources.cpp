@@ -76,7 +76,7 @@ void addLight(const LightTarget& to, double dt, Reducer& all) {
   absorb(w, light.lasers, dt, w.ledger.lasers);
 }
 
-// In proportion to mass. Sums of mass are exact.
+// Particles receive heat in proportion to their mass. Sums of mass are exact.
 void addRegionHeat(const HeatView& w, const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
                    double dt, Reducer& all) {
   const Scene& s = w.scene;

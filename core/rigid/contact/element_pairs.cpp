@@ -71,8 +71,7 @@ PlacedElement placedElement(const SurfaceElement& e, const Vec3d& position, cons
 }
 
 std::optional<OutermostPoint> outermost(const PlacedElement& e, const Vec3d& direction, double spacing) {
-  // The edge counts before the sphere somewhat outside of the cone of its normals, too: there, faces lie
-  // further out than both.
+  // The edge replaces the sphere slightly beyond its cone of normals, where faces lie further out.
   constexpr double cone = 0.9;
   const auto fixed = [](const Vec3d& x) { return OutermostPoint{x, x, false}; };
   if (e.round()) {

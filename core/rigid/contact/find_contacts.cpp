@@ -326,7 +326,7 @@ void findPairs(Search& s) {
   }
 }
 
-/// rebounds: false: there is no restitution. The rim of an element of a ball that rolls closes its gap
+/// rebounds: whether the contact has restitution. The rim of an element of a ball that rolls closes its gap
 /// without an impact.
 void addWallContact(Search& s, std::uint32_t i, std::uint32_t k, const ElementContact& e, bool rebounds) {
   FoundContact f = startOf(s, i, e);
@@ -353,7 +353,7 @@ void wallContacts(Search& s, std::uint32_t i, std::uint32_t k) {
   const Wall& wall = s.in.walls.list[k];
   const double spacing = s.in.scene.spacing;
   const PlacedElement a = placedElement(s.in.particles, s.in.pieces, i);
-  const double reach = std::min(s.in.grid.support, a.offset + spacing);
+  const double reach = std::min(s.in.grid.support, std::max(a.offset, length(a.corner)) + spacing);
   const Vec3d rest = toRest(wall.pose, a.position);
   if (!nearBounds(wall.bounds, rest, reach)) return;
   const Faces faces = facesWithin(*wall.shape, rest, reach, spacing);

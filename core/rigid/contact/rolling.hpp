@@ -22,7 +22,7 @@ struct Rolling {
 };
 
 /// Returns the rolling friction of a contact of rows with the given motions. b: null for an obstacle. The
-/// first guess of the impulse is that of the contact. Requires: a normal impulse of at least 0.
+/// first guess of the impulse is that of the contact.
 Rolling rollingOf(const RigidContact& contact, const PieceMotion& a, const PieceMotion* b);
 
 /// Limits the impulse to arm times the normal impulse (N s).

@@ -16,6 +16,8 @@ constexpr double farthest = 2;           // spacings
 constexpr double onSurface = 0.05;       // spacings, largest distance of an edge from the surface
 constexpr double widths[] = {0.4, 0.8};  // spacings, distances of samples
 
+constexpr std::size_t mostFaces = 6;  // more are parts of a curved surface
+
 /// The plane n y = height through a face; y is relative to x.
 struct FacePlane {
   Vec3d n{};
@@ -45,13 +47,13 @@ std::vector<FacePlane> facesAround(const SignedDistance& shape, const Vec3d& x, 
   return faces;
 }
 
-/// Point nearest to the origin on the line where two planes meet.
+/// Returns the point nearest to the origin on the line where two planes meet.
 Vec3d meet(const FacePlane& a, const FacePlane& b) {
   const double c = dot(a.n, b.n), d = 1 - c * c;
   return ((a.height - c * b.height) / d) * a.n + ((b.height - c * a.height) / d) * b.n;
 }
 
-/// Point where three planes meet.
+/// Returns the point where three planes meet.
 Vec3d meet(const FacePlane& a, const FacePlane& b, const FacePlane& c) {
   return inverse(Mat3d{{a.n, b.n, c.n}}) * Vec3d{a.height, b.height, c.height};
 }
@@ -60,21 +62,28 @@ Vec3d meet(const FacePlane& a, const FacePlane& b, const FacePlane& c) {
 
 Vec3d sharpEdge(const SignedDistance& shape, const Vec3d& x, double spacing) {
   const std::vector<FacePlane> f = facesAround(shape, x, spacing);
+  if (f.size() > mostFaces) return {};
+  Vec3d best{};
+  const auto nearer = [&](const Vec3d& y) { return best == Vec3d{} || dot(y, y) < dot(best, best); };
   const auto lies = [&](const Vec3d& y) {
     return length(y) < farthest * spacing && std::abs(shape.distance(x + y, nullptr)) < onSurface * spacing;
+  };
+  const auto convex = [&](const FacePlane& a, const FacePlane& b, const Vec3d& y) {
+    return shape.distance(x + y + 0.1 * spacing * normalized(a.n - b.n), nullptr) > 0;
   };
   for (std::size_t a = 0; a < f.size(); a++)
     for (std::size_t b = a + 1; b < f.size(); b++)
       for (std::size_t c = b + 1; c < f.size(); c++) {
         if (std::abs(dot(f[a].n, cross(f[b].n, f[c].n))) < leastAngle) continue;
-        if (const Vec3d y = meet(f[a], f[b], f[c]); lies(y)) return y;
+        if (const Vec3d y = meet(f[a], f[b], f[c]); nearer(y) && lies(y)) best = y;
       }
+  if (!(best == Vec3d{})) return best;
   for (std::size_t a = 0; a < f.size(); a++)
     for (std::size_t b = a + 1; b < f.size(); b++) {
       if (length(cross(f[a].n, f[b].n)) < leastAngle) continue;
-      if (const Vec3d y = meet(f[a], f[b]); lies(y)) return y;
+      if (const Vec3d y = meet(f[a], f[b]); nearer(y) && lies(y) && convex(f[a], f[b], y)) best = y;
     }
-  return {};
+  return best;
 }
 
 }  // namespace thaw

@@ -12,6 +12,18 @@
 namespace thaw {
 namespace {
 
+/// Columns of ghosts that energies of pairs read, and that changed in the step.
+ColumnList changedColumns(StepContext& c) {
+  Continuum& p = c.w.particles;
+  ColumnList changed{&p.liquid, &p.phase};
+  if (c.t.pairForces.empty()) return changed;
+  changed.push_back(&p.temperature);
+  changed.push_back(&p.velocity);
+  for (const auto& added : p.added)
+    if (added->active && added->ghosts) changed.push_back(added.get());
+  return changed;
+}
+
 /// Records the energies of contacts and pairs that change with the phase.
 void recordChanges(StepContext& c) {
   Continuum& p = c.w.particles;
@@ -19,7 +31,7 @@ void recordChanges(StepContext& c) {
   const double planned = nextStep(c.w.clock), next = std::isfinite(planned) ? planned : c.w.clock.stepDt;
   recordSpringChanges(c.walls, c.t.wallContacts, c.t.phaseEnergy.springs, {next, next / c.w.clock.substeps});
   if (!(c.reduction.pairsChange > 0)) return;
-  refresh(c.halos.cells, p, ColumnList{&p.liquid, &p.phase}).wait();
+  refresh(c.halos.cells, p, changedColumns(c)).wait();
   recordStiffnessChanges(c.w.scene, c.t.phaseEnergy.touching, next, p, c.w.ledger.phaseJump);
   recordPairEnergyChange(c.w, c.t);
 }

@@ -84,14 +84,30 @@ double energyAsLiquid(World& w, const StepTools& t, std::size_t i) {
   return energy;
 }
 
-/// Sets Continuum::softening of solid particles near liquid. Those of other groups have no sums.
+/// Returns true if a neighbour of lane l of group g is liquid, if only in part. Other solids have sums or
+/// not, depending on the group, and so on the number of ranks.
+bool touchesLiquid(const World& w, std::size_t g, std::size_t l) {
+  const Continuum& p = w.particles;
+  const NeighbourLists& lists = w.neighbours;
+  const Vec3d at = p.position[lists.self[8 * g + l]];
+  for (std::uint32_t n = 0; n < lists.count[g]; n++) {
+    const std::uint32_t j = lists.row(g, n, l);
+    if (j == lists.dummy || !(p.liquid[j] > 0)) continue;
+    const Vec3d d = p.position[j] - at;
+    if (dot(d, d) < w.grid.support * w.grid.support) return true;
+  }
+  return false;
+}
+
+/// Sets Continuum::softening of solid particles near liquid.
 void softenSolids(World& w, const StepTools& t) {
   Continuum& p = w.particles;
   const NeighbourLists& lists = w.neighbours;
   for (std::size_t g = 0; g < lists.groups; g++)
     for (std::size_t l = 0; l < 8 && lists.fluid[g]; l++) {
       const std::uint32_t i = lists.self[8 * g + l];
-      if (i != lists.dummy && p.liquid[i] == 0 && w.scene.materials[p.material[i]].melts())
+      if (i != lists.dummy && p.liquid[i] == 0 && w.scene.materials[p.material[i]].melts() &&
+          touchesLiquid(w, g, l))
         p.softening[i] = energyAsLiquid(w, t, i);
     }
 }

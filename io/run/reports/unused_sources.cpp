@@ -10,9 +10,11 @@ namespace thaw {
 std::vector<std::string> unusedSourceLines(const World& w, Reducer& all) {
   const std::vector<SourceUse>& use = w.ledger.sourceUse;
   std::vector<std::string> lines;
-  if (use.empty()) return lines;
+  const Scene& s = w.scene;
+  // Sources that a restart changed have no entries before the first step.
+  if (use.size() != s.lamps.size() + s.lasers.size() + s.heatedRegions.size()) return lines;
   std::vector<std::int64_t> absorbed;
-  for (const SourceUse& s : use) absorbed.push_back(s.absorbed);
+  for (const SourceUse& u : use) absorbed.push_back(u.absorbed);
   all.sum(absorbed);
   std::size_t k = 0;
   const auto look = [&](const auto& sources, const char* kind, const char* why) {
@@ -25,9 +27,9 @@ std::vector<std::string> unusedSourceLines(const World& w, Reducer& all) {
     }
   };
   const char* light = "its light reached no particle of a material with `absorptivity` above 0";
-  look(w.scene.lamps, "lamp", light);
-  look(w.scene.lasers, "laser", light);
-  look(w.scene.heatedRegions, "heated region", "no particle that it heats was in its shape");
+  look(s.lamps, "lamp", light);
+  look(s.lasers, "laser", light);
+  look(s.heatedRegions, "heated region", "no particle that it heats was in its shape");
   return lines;
 }
 

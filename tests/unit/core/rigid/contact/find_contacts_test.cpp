@@ -58,6 +58,18 @@ TEST(SurfaceElements, OfABoxArePlanesWithRoundEdges) {
   EXPECT_EQ(corners, 8);
 }
 
+TEST(SurfaceElements, OfSmallBallsHaveNoEdges) {
+  for (const double radius : {0.1, 0.13, 0.16, 0.19, 0.25}) {
+    const RigPiece piece = pieceOf(SphereDistance(radius), spacing, 1000);
+    for (std::size_t i = 0; i < piece.points.size(); i++) {
+      const SurfaceElement& e = piece.elements[i];
+      if (!(e.offset > 0) || e.radius > e.offset) continue;
+      const Vec3d sharp = piece.points[i] + static_cast<double>(e.offset) * wide(e.normal);
+      EXPECT_LT(length(sharp), radius + 0.01 * spacing) << radius;
+    }
+  }
+}
+
 TEST(SurfaceElements, OfACylinderHaveSharpRims) {
   const RigPiece piece = pieceOf(RevolvedDistance(cylinderOutline(0.4, 0.6)), spacing, 1000);
   int rims = 0;
