@@ -422,7 +422,8 @@ void remakePieces(const RigidView& v, const Halos& halos, bool atStart) {
   placeParticles(v, n, rows);
   adoptLabels(v.particles);
   Continuum& c = v.particles;
-  ColumnList changed{&c.piece, &c.phase};
+  ColumnList changed{&c.piece, &c.phase, &c.velocity};
+  if (c.clamped.active) changed.push_back(&c.clamped);
   if (elements)
     for (AnyColumn* column : std::initializer_list<AnyColumn*>{&c.faceNormal, &c.faceOffset, &c.faceRadius})
       changed.push_back(column);
