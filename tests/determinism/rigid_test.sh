@@ -67,7 +67,10 @@ sameOnAllRanks ${scene}_solvers 24 "9 16" "$work/$scene.toml" --set numerics.pre
 cat >"$work/mushy.toml" <<'SCENE'
 spacing = 0.01
 end = 1
-domain = { min = [-0.13, -0.13, 0], max = [0.13, 0.13, 0.6], sides = { x = "wall", y = "wall", z = ["wall", "open"] } }
+[domain]
+min = [-0.13, -0.13, 0]
+max = [0.13, 0.13, 0.6]
+sides = { x = "wall", y = "wall", z = ["wall", "open"] }
 [material.wax]
 law = "rigid"
 density = 240
