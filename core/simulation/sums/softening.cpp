@@ -68,13 +68,12 @@ namespace {
 
 /// Returns the energy (J) of compression and surface that a particle without liquid would have as liquid.
 /// Requires: its sums.
-double energyAsLiquid(World& w, const StepTools& t, std::size_t i) {
+double energyAsLiquid(World& w, const StepTools& t, const RecordContext& x, std::size_t i) {
   const Continuum& p = w.particles;
   double energy = 0;
-  if (!w.modules.continuity)
-    energy = compressionAt(recordContext(w, t), p, i, 1, static_cast<double>(p.relativeDensity[i]));
-  const SurfaceContext surface{wallView(w), t.surface};
+  if (!w.modules.continuity) energy = compressionAt(x, p, i, 1, static_cast<double>(p.relativeDensity[i]));
   if (!w.modules.surfaceEnergy) return energy;
+  const SurfaceContext surface{wallView(w), t.surface};
   SurfaceParticle as{static_cast<std::uint32_t>(i),
                      tensionOfParticle(surface.world, i),
                      {p.surfaceGradient[i], p.surfaceColour[i]},
@@ -100,15 +99,15 @@ bool touchesLiquid(const World& w, std::size_t g, std::size_t l) {
 }
 
 /// Sets Continuum::softening of solid particles near liquid.
-void softenSolids(World& w, const StepTools& t) {
+void softenSolids(World& w, const StepTools& t, const RecordContext& x) {
   Continuum& p = w.particles;
   const NeighbourLists& lists = w.neighbours;
   for (std::size_t g = 0; g < lists.groups; g++)
     for (std::size_t l = 0; l < 8 && lists.fluid[g]; l++) {
       const std::uint32_t i = lists.self[8 * g + l];
-      if (i != lists.dummy && p.liquid[i] == 0 && w.scene.materials[p.material[i]].melts() &&
-          touchesLiquid(w, g, l))
-        p.softening[i] = energyAsLiquid(w, t, i);
+      if (i == lists.dummy || p.liquid[i] != 0 || !w.scene.materials[p.material[i]].melts()) continue;
+      const double energy = energyAsLiquid(w, t, x, i);
+      if (energy != 0 && touchesLiquid(w, g, l)) p.softening[i] = energy;
     }
 }
 
@@ -125,12 +124,17 @@ void beginSoftening(World& w, StepTools& t) {
   }
   for (std::size_t i = 0; i < p.owned; i++) {
     const double f = static_cast<double>(p.liquid[i]);
-    const double compression = compressionOf(x, p, i, f), tension = p.interaction[i] - compression;
-    if (cohesion) work.inPairs[i] = tension;
-    const double own = (cohesion ? 0 : tension) + (w.modules.continuity ? 0 : compression);
-    p.softening[i] = f > 0 ? own / f : 0;
+    p.softening[i] = 0;
+    if (f == 0 && !cohesion) continue;
+    double own = p.interaction[i];
+    if (cohesion || w.modules.continuity) {
+      const double compression = compressionOf(x, p, i, f), tension = own - compression;
+      if (cohesion) work.inPairs[i] = tension;
+      own = (cohesion ? 0 : tension) + (w.modules.continuity ? 0 : compression);
+    }
+    if (f > 0) p.softening[i] = own / f;
   }
-  if (w.modules.surfaceEnergy || !(w.modules.continuity || w.modules.incompressible)) softenSolids(w, t);
+  if (w.modules.surfaceEnergy || !(w.modules.continuity || w.modules.incompressible)) softenSolids(w, t, x);
 }
 
 }  // namespace thaw
