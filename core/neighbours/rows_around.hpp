@@ -2,6 +2,8 @@
 // Rows of a table in the cells around a cell.
 #pragma once
 #include <algorithm>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/neighbours/grid.hpp"
@@ -24,19 +26,34 @@ inline void rowsAround(const CellTable& t, std::uint64_t key, std::vector<RowSpa
     }
 }
 
+/// Calls use(i, ranges) for each owned row i of one table for which wanted(i) is true, with the rows of the
+/// other table in the surrounding cells. These are listed only for cells with such a row.
+template<class Wanted, class Use>
+void eachSurrounded(const CellTable& own, std::size_t owned, const CellTable& others, Wanted&& wanted,
+                    Use&& use) {
+  std::vector<RowSpan> ranges;
+  for (std::size_t c = 0; c < own.key.size(); c++) {
+    if (own.first[c] >= owned) continue;
+    bool listed = false;
+    for (std::uint32_t i = own.first[c]; i < own.first[c] + own.count[c]; i++) {
+      if (!wanted(i)) continue;
+      if (!listed) rowsAround(others, own.key[c], ranges);
+      listed = true;
+      use(i, std::span<const RowSpan>(ranges));
+    }
+  }
+}
+
 /// Calls pair(i, j) for each owned row i of one table and each row j of the other in the surrounding cells;
 /// per row in (cell, id) order.
 template<class Pair>
 void eachNear(const CellTable& own, std::size_t owned, const CellTable& others, Pair&& pair) {
-  std::vector<RowSpan> ranges;
-  for (std::size_t c = 0; c < own.key.size(); c++) {
-    if (own.first[c] >= owned) continue;
-    rowsAround(others, own.key[c], ranges);
-    if (ranges.empty()) continue;
-    for (std::uint32_t i = own.first[c]; i < own.first[c] + own.count[c]; i++)
-      for (const RowSpan& r : ranges)
-        for (std::uint32_t j = r.begin; j < r.end; j++) pair(i, j);
-  }
+  eachSurrounded(
+      own, owned, others, [](std::uint32_t) { return true; },
+      [&](std::uint32_t i, std::span<const RowSpan> ranges) {
+        for (const RowSpan& r : ranges)
+          for (std::uint32_t j = r.begin; j < r.end; j++) pair(i, j);
+      });
 }
 
 }  // namespace thaw

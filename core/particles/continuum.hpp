@@ -20,7 +20,7 @@ inline constexpr std::uint8_t held = 1, driven = 2,
 
 inline constexpr std::uint64_t notRigid = 0;  ///< value of Continuum::piece
 
-inline constexpr float atFracture = -1;  ///< value of Continuum::touchTime
+inline constexpr double atFracture = -1;  ///< value of Continuum::touchTime
 
 struct Continuum : Table {
   Continuum() : Table("continuum") {}
@@ -170,7 +170,7 @@ struct Continuum : Table {
       "distance from the surface of its rigid piece; 0: inside, so it has no contacts"};
   Column<float> faceRadius{*this, "faceRadius", "m", Keep::State,
       "radius of curvature of the surface of its rigid piece; infinite: plane; its offset: an edge"};
-  Column<float> touchTime{*this, "touchTime", "s", Keep::State,
+  Column<double> touchTime{*this, "touchTime", "s", Keep::State,
       "time for which a hot surface particle has touched another hot piece of its material; -1: at a "
       "fracture that has been hot since; only with welding of rigid pieces"};
   Column<std::uint64_t> contactPartner{*this, "contactPartner", "1", Keep::State,

@@ -72,22 +72,15 @@ void wakeNearChanges(const RigidView& v, Reducer& all) {
   const Continuum& p = v.particles;
   const double reach = near * v.scene.spacing;
   std::vector<std::int64_t> changed(v.pieces.owned, 0);
-  std::vector<RowSpan> ranges;
-  for (std::size_t c = 0; c < v.cells.key.size(); c++) {
-    const std::uint32_t begin = v.cells.first[c], end = begin + v.cells.count[c];
-    if (begin >= p.owned) continue;
-    bool listed = false;
-    for (std::uint32_t i = begin; i < end; i++) {
-      if (p.piece[i] == p.pieceLabel[i]) continue;
-      if (!listed) rowsAround(v.cells, v.cells.key[c], ranges);
-      listed = true;
-      for (const RowSpan& r : ranges)
-        for (std::uint32_t j = r.begin; j < r.end; j++) {
-          const Vec3d to = p.position[j] - p.position[i];
-          if (p.piece[j] != notRigid && dot(to, to) < reach * reach) changed[p.pieceRow[j]]++;
-        }
-    }
-  }
+  eachSurrounded(
+      v.cells, p.owned, v.cells, [&](std::uint32_t i) { return p.piece[i] != p.pieceLabel[i]; },
+      [&](std::uint32_t i, std::span<const RowSpan> ranges) {
+        for (const RowSpan& r : ranges)
+          for (std::uint32_t j = r.begin; j < r.end; j++) {
+            const Vec3d to = p.position[j] - p.position[i];
+            if (p.piece[j] != notRigid && dot(to, to) < reach * reach) changed[p.pieceRow[j]]++;
+          }
+      });
   sumOfRows(v, changed, all);
   for (std::size_t k = 0; k < v.pieces.owned; k++)
     if (changed[k] > 0) wake(v.pieces, k);

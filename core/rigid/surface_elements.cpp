@@ -69,19 +69,15 @@ void turnElement(Continuum& p, std::size_t i, const Quat& rotation) {
 
 void renewElements(const RigidView& v) {
   Continuum& p = v.particles;
-  std::vector<RowSpan> ranges;
   Surroundings around;
-  for (std::size_t c = 0; c < v.cells.key.size(); c++) {
-    if (v.cells.first[c] >= p.owned) continue;
-    rowsAround(v.cells, v.cells.key[c], ranges);
-    for (std::uint32_t i = v.cells.first[c]; i < v.cells.first[c] + v.cells.count[c]; i++) {
-      if (p.pieceLabel[i] == notRigid) continue;
-      look(v, i, ranges, around);
-      if (!around.changed) continue;
-      setElement(p, i, elementOfNeighbours(around.now, v.scene.spacing));
-      if (p.exposed.active) p.exposed[i] = 1;
-    }
-  }
+  eachSurrounded(
+      v.cells, p.owned, v.cells, [&](std::uint32_t i) { return p.pieceLabel[i] != notRigid; },
+      [&](std::uint32_t i, std::span<const RowSpan> ranges) {
+        look(v, i, ranges, around);
+        if (!around.changed) return;
+        setElement(p, i, elementOfNeighbours(around.now, v.scene.spacing));
+        if (p.exposed.active) p.exposed[i] = 1;
+      });
 }
 
 }  // namespace thaw

@@ -143,32 +143,23 @@ BondedPieces bondPieces(const RigidView& v, std::span<const std::uint32_t> piece
   b.spacing = v.scene.spacing;
   b.pieces.assign(pieces.begin(), pieces.end());
   const double reach = connectedDistance * b.spacing;
-  std::vector<RowSpan> ranges;
   std::vector<BondedPieces::Bond> near;
   const auto isMember = [&](std::size_t i) {
     return p.piece[i] != notRigid && std::binary_search(pieces.begin(), pieces.end(), p.pieceRow[i]);
   };
   b.first.push_back(0);
-  for (std::size_t c = 0; c < v.cells.key.size(); c++) {
-    const std::uint32_t begin = v.cells.first[c], end = begin + v.cells.count[c];
-    if (begin >= p.owned) continue;
-    bool listed = false;
-    for (std::uint32_t i = begin; i < end; i++) {
-      if (!isMember(i)) continue;
-      if (!listed) rowsAround(v.cells, v.cells.key[c], ranges);
-      listed = true;
-      near.clear();
-      for (const RowSpan& r : ranges)
-        for (std::uint32_t j = r.begin; j < r.end; j++) {
-          const Vec3d arm = p.position[j] - p.position[i];
-          if (j != i && p.piece[j] == p.piece[i] && dot(arm, arm) < reach * reach) near.push_back({j, arm});
-        }
-      b.member.push_back(i);
-      b.system.push_back(b.systemOf(p.pieceRow[i]));
-      addBonds(b, near, b.spacing);
-      b.first.push_back(b.bonds.size());
-    }
-  }
+  eachSurrounded(v.cells, p.owned, v.cells, isMember, [&](std::uint32_t i, std::span<const RowSpan> ranges) {
+    near.clear();
+    for (const RowSpan& r : ranges)
+      for (std::uint32_t j = r.begin; j < r.end; j++) {
+        const Vec3d arm = p.position[j] - p.position[i];
+        if (j != i && p.piece[j] == p.piece[i] && dot(arm, arm) < reach * reach) near.push_back({j, arm});
+      }
+    b.member.push_back(i);
+    b.system.push_back(b.systemOf(p.pieceRow[i]));
+    addBonds(b, near, b.spacing);
+    b.first.push_back(b.bonds.size());
+  });
   return b;
 }
 

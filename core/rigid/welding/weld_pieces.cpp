@@ -49,7 +49,7 @@ bool touch(const RigidView& v, std::size_t i, std::size_t j) {
 
 bool touchedLongEnough(const RigidView& v, std::size_t i) {
   const Continuum& p = v.particles;
-  return static_cast<double>(p.touchTime[i]) >= v.scene.materials[p.material[i]].weldTime;
+  return p.touchTime[i] >= v.scene.materials[p.material[i]].weldTime;
 }
 
 bool weld(const RigidView& v, std::size_t i, std::size_t j) {
@@ -80,20 +80,13 @@ bool touchesAny(const RigidView& v, std::size_t i, std::span<const RowSpan> rang
 bool measureTouch(const RigidView& v) {
   Continuum& p = v.particles;
   bool any = false;
-  std::vector<RowSpan> ranges;
-  for (std::size_t c = 0; c < v.cells.key.size(); c++) {
-    const std::uint32_t begin = v.cells.first[c], end = begin + v.cells.count[c];
-    if (begin >= p.owned) continue;
-    bool listed = false;
-    for (std::uint32_t i = begin; i < end; i++) {
-      if (!mayWeld(v, i)) continue;
-      if (!listed) rowsAround(v.cells, v.cells.key[c], ranges);
-      listed = true;
-      const bool touches = touchesAny(v, i, ranges);
-      p.touchTime[i] = touches ? p.touchTime[i] + static_cast<float>(v.clock.stepDt) : 0;
-      any = any || (touches && touchedLongEnough(v, i));
-    }
-  }
+  eachSurrounded(
+      v.cells, p.owned, v.cells, [&](std::uint32_t i) { return mayWeld(v, i); },
+      [&](std::uint32_t i, std::span<const RowSpan> ranges) {
+        const bool touches = touchesAny(v, i, ranges);
+        p.touchTime[i] = touches ? p.touchTime[i] + v.clock.stepDt : 0;
+        any = any || (touches && touchedLongEnough(v, i));
+      });
   return any;
 }
 

@@ -22,22 +22,17 @@ std::vector<Interpenetration> findInterpenetrations(World& w, Halos halos) {
   refresh(halos.cells, p, ColumnList{&p.phase}).wait();  // the phase may have changed since
   const double s = w.scene.spacing;
   std::vector<std::int64_t> count(w.scene.oriented.size() * bodies, 0);
-  std::vector<RowSpan> ranges;
   std::vector<double> full(bodies);
-  for (std::size_t c = 0; c < w.oriented.cells.key.size(); c++) {
-    const CellTable& cells = w.oriented.cells;
-    if (cells.first[c] >= o.owned) continue;
-    rowsAround(w.cells, cells.key[c], ranges);
-    if (ranges.empty()) continue;
-    for (std::uint32_t i = cells.first[c]; i < cells.first[c] + cells.count[c]; i++) {
-      std::fill(full.begin(), full.end(), 0.0);
-      for (const RowSpan& r : ranges)
-        for (std::uint32_t j = r.begin; j < r.end; j++)
-          if (p.phase[j] == Solid && p.body[j] < bodies)
-            full[p.body[j]] += solidFraction(length(p.position[j] - o.position[i]), s);
-      for (std::size_t b = 0; b < bodies; b++) count[o.body[i] * bodies + b] += full[b] > insideFraction;
-    }
-  }
+  eachSurrounded(
+      w.oriented.cells, o.owned, w.cells, [](std::uint32_t) { return true; },
+      [&](std::uint32_t i, std::span<const RowSpan> ranges) {
+        std::fill(full.begin(), full.end(), 0.0);
+        for (const RowSpan& r : ranges)
+          for (std::uint32_t j = r.begin; j < r.end; j++)
+            if (p.phase[j] == Solid && p.body[j] < bodies)
+              full[p.body[j]] += solidFraction(length(p.position[j] - o.position[i]), s);
+        for (std::size_t b = 0; b < bodies; b++) count[o.body[i] * bodies + b] += full[b] > insideFraction;
+      });
   halos.all.sum(count);
   std::vector<Interpenetration> found;
   for (std::size_t k = 0; k < count.size(); k++)
