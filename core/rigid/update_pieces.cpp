@@ -182,29 +182,44 @@ std::optional<double> middleOf(const CellGrid& g, int a, std::span<const std::in
   return g.origin[a] + g.period[a] * (middle - std::floor(middle));
 }
 
-/// Moves references to the middle of their pieces, where some piece reaches across half of a periodic domain.
-void centreReferences(const RigidView& v, NewPieces& n, PieceExchange& exchange, Reducer& all) {
-  double far = 0;
+/// Returns the rows of changed pieces that have a far particle on some rank.
+std::vector<std::size_t> longPieces(const RigidView& v, const NewPieces& n, PieceExchange& exchange) {
+  std::vector<std::int64_t> far(n.ids.size(), 0);
   eachChanged(v, n, [&](std::size_t i, std::size_t k) {
-    if (isFar(v, placeIn(v, n, i, k), n.reference[k])) far = 1;
+    if (isFar(v, placeIn(v, n, i, k), n.reference[k])) far[k]++;
   });
-  all.maximum({&far, 1});
-  if (!(far > 0)) return;
-  std::vector<std::int64_t> count(3 * sectors * n.ids.size(), 0);
+  exchange.sum(far, 1);
+  std::vector<std::size_t> rows;
+  for (std::size_t k = 0; k < far.size(); k++)
+    if (far[k] > 0) rows.push_back(k);
+  return rows;
+}
+
+/// Moves the references of pieces that reach across half of a periodic domain to their middles.
+void centreReferences(const RigidView& v, NewPieces& n, PieceExchange& exchange, Reducer& all) {
+  const std::vector<std::size_t> rows = longPieces(v, n, exchange);
+  double any = rows.empty() ? 0 : 1;
+  all.maximum({&any, 1});
+  if (!(any > 0)) return;
+  std::vector<std::uint64_t> ids;
+  for (const std::size_t k : rows) ids.push_back(n.ids[k]);
+  std::vector<std::int64_t> counts(3 * sectors * ids.size(), 0);
   eachChanged(v, n, [&](std::size_t i, std::size_t k) {
+    const auto at = std::lower_bound(rows.begin(), rows.end(), k);
+    if (at == rows.end() || *at != k) return;
+    const auto m = 3 * static_cast<std::size_t>(at - rows.begin());
     for (int a = 0; a < 3; a++)
       if (v.grid.periodic[a])
-        count[(3 * k + static_cast<std::size_t>(a)) * sectors +
-              sectorOf(v.grid, v.particles.position[i], a)]++;
+        counts[(m + static_cast<std::size_t>(a)) * sectors + sectorOf(v.grid, v.particles.position[i], a)]++;
   });
-  exchange.sum(count, 3 * sectors);
-  for (std::size_t k = 0; k < n.ids.size(); k++)
+  RankPieceExchange(all, ids, nullptr).sum(counts, 3 * sectors);
+  for (std::size_t m = 0; m < rows.size(); m++)
     for (int a = 0; a < 3; a++) {
       if (!v.grid.periodic[a]) continue;
-      const std::span<const std::int64_t> of(&count[(3 * k + static_cast<std::size_t>(a)) * sectors],
-                                             sectors);
-      n.reference[k][a] =
-          middleOf(v.grid, a, of, connectedDistance * v.scene.spacing).value_or(n.reference[k][a]);
+      const std::span<const std::int64_t> count(&counts[(3 * m + static_cast<std::size_t>(a)) * sectors],
+                                                sectors);
+      double& reference = n.reference[rows[m]][a];
+      reference = middleOf(v.grid, a, count, connectedDistance * v.scene.spacing).value_or(reference);
     }
 }
 
