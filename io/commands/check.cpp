@@ -32,7 +32,7 @@
 #include "io/scene/read_scene.hpp"
 #include "io/scene/scene_for_all.hpp"
 #include "io/scene/scene_warnings.hpp"
-#include "io/text/above_zero.hpp"
+#include "io/text/number_options.hpp"
 #include "parallel/mpi_simulation.hpp"
 
 namespace thaw {

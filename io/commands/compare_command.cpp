@@ -11,7 +11,7 @@
 #include "io/checkpoint/damaged_rows.hpp"
 #include "io/compare/compare.hpp"
 #include "io/text/command_error.hpp"
-#include "io/text/finite_number.hpp"
+#include "io/text/number_options.hpp"
 
 namespace thaw {
 namespace {

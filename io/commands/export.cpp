@@ -11,7 +11,7 @@
 #include "io/commands/export/export_frames.hpp"
 #include "io/hdf5/io_error.hpp"
 #include "io/text/command_error.hpp"
-#include "io/text/finite_number.hpp"
+#include "io/text/number_options.hpp"
 
 namespace thaw {
 

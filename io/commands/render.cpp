@@ -15,7 +15,7 @@
 #include "io/render/movie.hpp"
 #include "io/render/scene_job.hpp"
 #include "io/text/command_error.hpp"
-#include "io/text/finite_number.hpp"
+#include "io/text/number_options.hpp"
 #include "io/text/png_name.hpp"
 
 namespace thaw {

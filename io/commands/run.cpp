@@ -14,7 +14,7 @@
 #include "io/run/signals.hpp"
 #include "io/scene/scene_for_all.hpp"
 #include "io/simulation/simulation.hpp"
-#include "io/text/above_zero.hpp"
+#include "io/text/number_options.hpp"
 
 namespace thaw {
 namespace {

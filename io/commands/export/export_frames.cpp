@@ -10,6 +10,7 @@
 
 #include "io/commands/export/estimate.hpp"
 #include "io/commands/export/in_order.hpp"
+#include "io/commands/export/out_name.hpp"
 #include "io/hdf5/make_folder.hpp"
 #include "io/meshes/read_mesh.hpp"
 #include "io/render/frame_source.hpp"
@@ -62,11 +63,6 @@ void startUv(ExportRun& run) {
   else run.job.uv = &*run.uv;
 }
 
-bool isFolder(const fs::path& path) {
-  std::error_code error;
-  return fs::is_directory(path, error);
-}
-
 /// Returns the part of a format's ending that is the extension of a path: ".ply" of ".discs.ply".
 std::string lastEnding(const ExportFormat& format) {
   const std::string ending = format.extension;
@@ -79,8 +75,7 @@ void checkOut(const fs::path& out, const ExportFormat& format, std::size_t frame
   const std::string ending = out.extension().string();
   if (frames == 1) {
     if (ending.empty() || ending == lastEnding(format)) return;
-    throw std::invalid_argument(fmt::format("--out: expected a folder or a file that ends in {}, got {}",
-                                            lastEnding(format), out.string()));
+    refuseOut(out, lastEnding(format));
   }
   const auto isOf = [&](const ExportFormat& f) { return ending == lastEnding(f); };
   std::error_code error;
@@ -177,9 +172,7 @@ void exportAsOne(const fs::path& out, const ExportOptions& options, const char* 
   const ExportFormat& format = exportFormatNamed(options.as);
   const std::string ending = isFolder(out) ? "" : out.extension().string();
   if (!ending.empty() && ending != format.extension && ending != other)
-    throw std::invalid_argument(
-        fmt::format("--out: expected a folder or a file that ends in {} or {}, got {}", format.extension,
-                    other, out.string()));
+    refuseOut(out, fmt::format("{} or {}", format.extension, other));
   ExportRun run;
   startExport(options, format, run);
   std::string name = readFrameInfo(run.groups[0].first().string()).sceneName;

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "io/commands/export/export_frames.hpp"
+#include "io/commands/export/out_name.hpp"
 #include "io/frames/run_folder.hpp"
 #include "io/hdf5/io_error.hpp"
 #include "io/image/colour_map.hpp"
@@ -23,11 +24,9 @@ namespace {
 
 /// Returns the file of the page: `out` itself, or NAME.html in that folder.
 fs::path pageFile(const fs::path& out, const fs::path& run) {
-  std::error_code error;
-  const bool folder = fs::is_directory(out, error);
+  const bool folder = isFolder(out);
   if (out.extension() == ".html" && !folder) return out;
-  if (out.has_extension() && !folder)
-    throw std::invalid_argument("--out: expected a folder or a file that ends in .html, got " + out.string());
+  if (out.has_extension() && !folder) refuseOut(out, ".html");
   return (out.empty() ? exportFolder(run) : out) / (run.filename().string() + ".html");
 }
 
