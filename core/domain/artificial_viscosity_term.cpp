@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/domain/liquid_uses.hpp"
 #include "core/domain/terms.hpp"
-#include "core/materials/liquid_materials.hpp"
-#include "core/scene/material_use.hpp"
 
 namespace thaw {
 namespace {
@@ -17,11 +16,8 @@ void readArtificialViscosity(KeyTable& keys, Material& m) {
 }
 
 std::vector<ModuleUse> usesOfArtificialViscosity(const Scene& s, const Modules& m) {
-  std::vector<ModuleUse> uses;
-  for (std::size_t k = 0; k < s.materials.size(); k++)
-    if (const Material& x = s.materials[k]; inUse(s, k) && hasLiquid(m, x) && x.artificialViscosity > 0)
-      uses.push_back({&Modules::artificialViscosity, "artificial viscosity", "material '" + x.name + "'"});
-  return uses;
+  return usesByLiquids(s, m, &Modules::artificialViscosity, "artificial viscosity",
+                       [](const Material& x) { return x.artificialViscosity > 0; });
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lamps and lasers. They share the map of the places that light meets.
+// Lamps and lasers. They share the map of lit places.
 #include <memory>
 
 #include "core/domain/source_keys.hpp"

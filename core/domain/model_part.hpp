@@ -17,7 +17,8 @@
 
 namespace thaw {
 
-/// Members of an element of a list of tables, for checks that all lists share; null: it has none.
+/// Members of an element of a list of tables, for checks that all lists share; null: the element has no such
+/// member.
 struct TermElement {
   SourcePlace* where = nullptr;
   std::string* name = nullptr;
@@ -100,7 +101,8 @@ struct ModelPart {
   void (*domainKeys)(KeyTable&, Domain&) = nullptr;      ///< in [domain]
   void (*materialKeys)(KeyTable&, Material&) = nullptr;  ///< in [material.NAME]
   /// Returns the modules that the scene needs for the term; none: the scene does not use it. Terms that heat
-  /// are called before phases are known, others when all other modules are known. None: no scene uses it.
+  /// are called before phases are known, others when all other modules are known. Null: the term needs no
+  /// module.
   std::vector<ModuleUse> (*uses)(const Scene&, const Modules& found) = nullptr;
   // Action
   LoadStage stage = LoadStage::Forces;

@@ -36,8 +36,8 @@ using OutsideSource = std::function<void(const OutsideLoad&)>;
 bool isFree(const Continuum& particles, std::size_t row);
 
 /// Sets Continuum::outsideForce from all sources, and adds it to the forces of particles that are free to
-/// move. Heat is added to Continuum::heatFlow and recorded for the step in the ledger. load: with arrays of
-/// any value.
+/// move. Heat is added to Continuum::heatFlow and recorded for the step in the ledger. The arrays of
+/// `load` are replaced.
 void addOutsideLoads(const std::vector<OutsideSource>& sources, OutsideLoad load);
 
 /// The half kick that follows: with the accelerations of the last step, or with the forces of this one.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/domain/liquid_uses.hpp"
 #include "core/domain/terms.hpp"
-#include "core/materials/liquid_materials.hpp"
-#include "core/scene/material_use.hpp"
 
 namespace thaw {
 namespace {
@@ -11,11 +10,8 @@ void readSmoothing(KeyTable& keys, Material& m) {
 }
 
 std::vector<ModuleUse> usesOfSmoothing(const Scene& s, const Modules& m) {
-  std::vector<ModuleUse> uses;
-  for (std::size_t k = 0; k < s.materials.size(); k++)
-    if (const Material& x = s.materials[k]; inUse(s, k) && hasLiquid(m, x) && x.xsph > 0)
-      uses.push_back({&Modules::xsph, "velocity smoothing (XSPH)", "material '" + x.name + "'"});
-  return uses;
+  return usesByLiquids(s, m, &Modules::xsph, "velocity smoothing (XSPH)",
+                       [](const Material& x) { return x.xsph > 0; });
 }
 
 }  // namespace

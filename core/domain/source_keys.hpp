@@ -17,10 +17,6 @@ template<class Source> void readTimes(KeyTable& keys, Source& s) {
   if (keys.reading() && s.end < s.start) keys.fail("end", "must not be before `start`", {"start"});
 }
 
-inline void requireKey(KeyTable& keys, const char* key) {
-  if (keys.reading() && !keys.has(key)) keys.fail(key, "is missing");
-}
-
 /// Adds the modules that a scene needs for sources with names: they heat bodies that it has.
 template<class Source>
 void addUses(const Scene& s, const std::vector<Source>& sources, const std::string& title,

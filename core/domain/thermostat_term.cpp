@@ -11,7 +11,7 @@ void readThermostat(KeyTable& keys, Thermostat& t) {
   keys.needed().number("temperature", t.temperature, "K", positive(), "temperature at the end");
   keys.number("start", t.start, "s", notNegative(), "time at which it starts");
   keys.number("over", t.over, "s", notNegative(), "duration; 0: one step");
-  if (keys.reading() && !keys.has("temperature")) keys.fail("temperature", "is missing");
+  requireKey(keys, "temperature");
 }
 
 std::vector<ModuleUse> usesOfThermostats(const Scene& s, const Modules&) {

@@ -50,7 +50,7 @@ struct Ledger {
   ExactSum restartJump;  ///< J, stored energy that changed coefficients at a restart created (> 0) or removed
   SourceSums lamps, lasers, regions;  ///< the absorbed parts are in heatIn
   std::vector<SourceUse> sourceUse;   ///< lamps, then lasers, then heated regions; empty before their first
-                                      ///< step
+                                      ///< evaluation
   ExactSum evaporated;                ///< kg, vapour; also in left.mass
   ExactSum vapourHeat;                ///< J, latent heat of the vapour; minus this is in heatIn
   Balance initial;                    ///< global, at time 0

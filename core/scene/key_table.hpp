@@ -77,4 +77,9 @@ class KeyTable {
   virtual void material(int& value, const char* about) = 0;
 };
 
+/// Adds an error if a scene lacks the key.
+inline void requireKey(KeyTable& keys, const char* key) {
+  if (keys.reading() && !keys.has(key)) keys.fail(key, "is missing");
+}
+
 }  // namespace thaw

@@ -15,7 +15,7 @@ struct SpringBefore {
   WallSpring spring;
 };
 
-/// The next step.
+/// Lengths of the next step and of its substeps.
 struct ComingStep {
   double step, substep;  ///< s
 };

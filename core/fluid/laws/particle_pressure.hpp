@@ -16,6 +16,11 @@ inline double liquidFraction(const Continuum& p, std::size_t i) {
   return p.liquid.active ? static_cast<double>(p.liquid[i]) : p.phase[i] == Liquid ? 1 : 0;
 }
 
+/// Strength of pairwise cohesion of a particle, (N/m)^1/2.
+inline double rootTensionOf(const Continuum& p, const std::vector<LiquidMaterial>& liquids, std::size_t i) {
+  return liquids[p.material[i]].rootTension * liquidFraction(p, i);
+}
+
 /// Pressure (Pa) of the last evaluation: equation of state times liquid fraction, or the solution of the
 /// incompressible solver.
 inline float pressureOfParticle(const Scene& scene, const Modules& modules, const Continuum& p,

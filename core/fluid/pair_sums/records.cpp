@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/fluid/laws/particle_pressure.hpp"
 #include "core/materials/enthalpy.hpp"
 #include "core/materials/rest_density.hpp"
 #include "core/materials/state_equation.hpp"
@@ -324,8 +325,7 @@ void packCohesion(const RecordContext& x, const Continuum& p, std::size_t begin,
   const auto pack = [&](auto real) {
     using Real = decltype(real);
     for (std::size_t i = begin; i < end; i++)
-      rows<Real>(r.surface)[i].a = static_cast<Real>(x.liquids[p.material[i]].rootTension *
-                                                     static_cast<double>(p.liquid[i]));
+      rows<Real>(r.surface)[i].a = static_cast<Real>(rootTensionOf(p, x.liquids, i));
   };
   x.scene.numerics.precision == Precision::Double ? pack(double{}) : pack(float{});
 }

@@ -38,7 +38,7 @@ PlacedElement placedElement(const SurfaceElement& e, const Vec3d& position, cons
 
 struct OutermostPoint {
   Vec3d point{};   ///< m
-  Vec3d anchor{};  ///< m, point of the body that stays equally far from a plane there as the body turns: the
+  Vec3d anchor{};  ///< m, body point whose distance from a plane there does not change as the body turns: the
                    ///< centre of curvature, or the point itself
   bool atRim = false;  ///< the element ends there; another one is likely to be further out
 };

@@ -26,10 +26,6 @@ double volumeOf(const World& w, std::size_t i) {
   return w.particles.mass[i] / (restDensityOf(w.particles, w.scene.materials, i) * h * h * h);
 }
 
-double rootTensionOf(const Continuum& p, const StepTools& t, std::size_t i) {
-  return t.liquids[p.material[i]].rootTension * liquidFraction(p, i);
-}
-
 /// Positions of a leaver and of its periodic images within a support radius of the domain.
 std::vector<Vec3d> imagesOf(const World& w, const Vec3d& x) {
   const Domain& d = w.scene.domain;
@@ -69,7 +65,8 @@ void recordCohesion(World& w, const StepTools& t) {
   using isa_base::Cohesion;
   const double h = w.grid.support;
   eachNearLeaver(w, t, [&](std::uint32_t j, const Leaver& l, const Vec3d& d) {
-    const double pair = l.volume * l.rootTension * volumeOf(w, j) * rootTensionOf(w.particles, t, j) * h * h;
+    const double pair = l.volume * l.rootTension * volumeOf(w, j) * rootTensionOf(w.particles, t.liquids, j) *
+                        h * h;
     w.ledger.left.potential.add(0.5 * Cohesion::scale * pair * Cohesion::potential(length(d)));
   });
 }
@@ -172,7 +169,7 @@ std::vector<Leaver> leaversOfAll(const World& w, const StepTools& t, Reducer& al
   for (const std::uint32_t i : t.leaving) {
     *to++ = std::bit_cast<std::int64_t>(w.particles.id[i]);
     const Vec3d& x = w.particles.position[i];
-    for (const double value : {x.x, x.y, x.z, volumeOf(w, i), rootTensionOf(w.particles, t, i)})
+    for (const double value : {x.x, x.y, x.z, volumeOf(w, i), rootTensionOf(w.particles, t.liquids, i)})
       *to++ = std::bit_cast<std::int64_t>(value);
     for (const PairForceWork& work : t.pairForces)
       for (const double value : pairRecordOf(w.scene, w.particles, i, work))

@@ -13,7 +13,7 @@ StepModule melting() {
           [](const World& w, const StepTools&) { return w.modules.melting; },
           {{ModulePhase::ContinuumForce,
             [](StepContext& c) {
-              // Derivative of pair and contact energies with respect to the liquid fraction.
+              // Derivative of compression and tension with respect to the liquid fraction.
               beginSoftening(c.w, c.t);
             }},
            {ModulePhase::PhaseChange, [](StepContext& c) {

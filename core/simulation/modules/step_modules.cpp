@@ -25,7 +25,7 @@ std::vector<StepModule> stepModules() {
           tensionByCurvature(),
           flowLaws(),
           energyOfLeaving(),  // after surfaceEnergy, which adds the walls to the surface gradients
-          melting(),          // before extensionPairForces: it sets softening, they add to it
+          melting(),          // before extensionPairForces, which add to PhaseEnergyWork::inPairs
           densityByPhase(),   // after melting: densities at rest follow from the new phases
           mushDrag(),
           incompressiblePressure(),

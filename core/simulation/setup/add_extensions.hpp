@@ -8,8 +8,7 @@
 
 namespace thaw {
 
-/// Begins the body forces and sources of heat of the library that the scene uses. Adds unusable shapes to
-/// problems.
+/// Starts the terms of the library that the scene uses. Adds unusable shapes to problems.
 void startTerms(World& world, StepTools& tools, const MeshLoader& load, SceneProblems& problems);
 
 /// Adds loads, pair forces, fields and their updates, and step limits of the scene's extensions, and pair
