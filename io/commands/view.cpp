@@ -25,14 +25,15 @@ void addViewOptions(CLI::App& command, ViewOptions& o) {
 }
 
 int viewCommand(const ViewOptions& options) {
-  std::string problem = serverProblem();
-  if (problem.empty()) problem = pageProblem();
-  if (!problem.empty()) {
-    printCommandError("view", problem);
-    return exitUsage;
-  }
   try {
-    serveRun({runFolder(options.run), options.port, options.open});
+    const fs::path run = runFolder(options.run);
+    std::string problem = serverProblem();
+    if (problem.empty()) problem = pageProblem();
+    if (!problem.empty()) {
+      printCommandError("view", problem);
+      return exitUsage;
+    }
+    serveRun({run, options.port, options.open});
     return exitDone;
   } catch (const std::runtime_error& error) {  // IoError or a file system error
     printCommandError("view", error.what());

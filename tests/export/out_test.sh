@@ -24,7 +24,10 @@ refused 2 "expected a folder, got $work/file$" export "$work/run" --as vtp --out
 refused 2 "expected a folder or a file that ends in .ply, got $work/new.obj$" \
   export "$frame" --as ply --out "$work/new.obj"
 refused 2 'expected a folder or a file that ends in .html' export "$work/run" --as html --out "$work/x.abc"
-for as in ply-discs pov vtp ply obj usd usda vtkhdf bgeo html; do
+formats="ply-discs pov vtp ply obj usd usda vtkhdf bgeo"
+"$thaw" export "$work/run" --as html --out "$work/page.html" >"$work/log" 2>&1
+grep -q 'built without its page' "$work/log" || formats+=" html"
+for as in $formats; do
   refused 3 "$work/file: is a file: expected a folder$" export "$work/run" --as $as --out "$work/file/out"
   refused 3 '/proc/none: cannot be created: ' export "$work/run" --as $as --out /proc/none
 done

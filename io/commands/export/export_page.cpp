@@ -64,8 +64,9 @@ std::uint64_t bytesOfText(const std::string& text) {
 }
 
 void exportRunPage(const fs::path& out, const ExportOptions& options) {
+  const PageExport request = requestOf(out, options);
   if (const std::string problem = pageProblem(); !problem.empty()) throw std::invalid_argument(problem);
-  exportPage(requestOf(out, options));
+  exportPage(request);
 }
 
 }  // namespace thaw

@@ -57,9 +57,8 @@ std::uint64_t bytesInPage(const std::string& stream) { return (stream.size() + 2
 
 std::string pageProblem() {
   if (!pageFiles().empty()) return {};
-  return "this program is built without its page: scripts/view installs what is missing (Debian: nodejs, "
-         "npm) "
-         "and builds it";
+  return "this program is built without its page: scripts/view installs what is missing "
+         "(Debian: nodejs, npm) and builds it";
 }
 
 std::string pageText(const std::string& title, const PageData& data) {
