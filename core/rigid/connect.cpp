@@ -3,9 +3,12 @@
 
 #include "core/halo/exchange.hpp"
 #include "core/neighbours/rows_around.hpp"
-#include "core/rigid/data/spread_labels.hpp"
+#include "core/halo/spread_labels.hpp"
 
 namespace thaw {
+
+static_assert(noSet == notRigid);  // labels become pieces
+
 namespace {
 
 bool connected(const RigidView& v, std::uint32_t i, std::uint32_t j, bool atStart,
@@ -25,7 +28,7 @@ DisjointSets joinRows(const RigidView& v, bool atStart, const SpecialPairs& spec
   Continuum& p = v.particles;
   DisjointSets sets(p.size());
   eachNear(v.cells, p.owned, v.cells, [&](std::uint32_t i, std::uint32_t j) {
-    if (p.pieceLabel[i] == notRigid || p.pieceLabel[j] == notRigid || i == j) return;
+    if (p.setLabel[i] == noSet || p.setLabel[j] == noSet || i == j) return;
     if (j < i && j < p.owned) return;  // seen from j
     if (connected(v, i, j, atStart, special) && !(special.parted && special.parted(i, j))) sets.join(i, j);
   });
@@ -37,11 +40,11 @@ DisjointSets joinRows(const RigidView& v, bool atStart, const SpecialPairs& spec
 void labelPieces(const RigidView& v, const Halos& halos, bool atStart, const SpecialPairs& special) {
   Continuum& p = v.particles;
   for (std::size_t i = 0; i < p.owned; i++)
-    p.pieceLabel[i] = belongsToPiece(v.scene, p, i) ? p.id[i] + 1 : notRigid;
-  refresh(halos.cells, p, ColumnList{&p.pieceLabel, &p.piece}).wait();
+    p.setLabel[i] = belongsToPiece(v.scene, p, i) ? p.id[i] + 1 : noSet;
+  refresh(halos.cells, p, ColumnList{&p.setLabel, &p.piece}).wait();
   DisjointSets sets = joinRows(v, atStart, special);
-  spreadLabels({p.pieceLabel.data(), p.size()}, p.owned, sets, halos.all,
-               [&] { refresh(halos.cells, p, ColumnList{&p.pieceLabel}).wait(); });
+  spreadLabels({p.setLabel.data(), p.size()}, p.owned, sets, halos.all,
+               [&] { refresh(halos.cells, p, ColumnList{&p.setLabel}).wait(); });
 }
 
 }  // namespace thaw

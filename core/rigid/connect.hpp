@@ -25,7 +25,7 @@ struct SpecialPairs {
   std::function<bool(std::uint32_t, std::uint32_t)> welded{};  ///< rows of two pieces that weld
 };
 
-/// Sets Continuum::pieceLabel of owned particles that belong to pieces to 1 + the smallest id of all
+/// Sets Continuum::setLabel of owned particles that belong to pieces to 1 + the smallest id of all
 /// particles connected to them, and of others to 0. Connected are particles of one piece (at the start: of
 /// one body), particles in touch of which one has no piece yet, and welded ones. Requires: ghosts.
 /// Collective.

@@ -73,7 +73,7 @@ void wakeNearChanges(const RigidView& v, Reducer& all) {
   const double reach = near * v.scene.spacing;
   std::vector<std::int64_t> changed(v.pieces.owned, 0);
   eachSurrounded(
-      v.cells, p.owned, v.cells, [&](std::uint32_t i) { return p.piece[i] != p.pieceLabel[i]; },
+      v.cells, p.owned, v.cells, [&](std::uint32_t i) { return p.piece[i] != p.setLabel[i]; },
       [&](std::uint32_t i, std::span<const RowSpan> ranges) {
         for (const RowSpan& r : ranges)
           for (std::uint32_t j = r.begin; j < r.end; j++) {

@@ -29,7 +29,7 @@ void wakePieces(Pieces& pieces);
 void wakeLoaded(const RigidView& view, double dt);
 
 /// Wakes pieces near particles that join or leave pieces: they may have lost their support. Requires:
-/// Continuum::pieceLabel of the new pieces, and rows of the former pieces of owned particles and ghosts.
+/// Continuum::setLabel of the new pieces, and rows of the former pieces of owned particles and ghosts.
 /// Collective.
 void wakeNearChanges(const RigidView& view, Reducer& all);
 

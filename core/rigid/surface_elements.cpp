@@ -35,7 +35,7 @@ void look(const RigidView& v, std::size_t i, std::span<const RowSpan> ranges, Su
       const Vec3d to = p.position[j] - p.position[i];
       if (dot(to, to) > reach * reach) continue;
       const bool before = p.piece[j] != notRigid && p.piece[j] == p.piece[i],
-                 after = p.pieceLabel[j] != notRigid && p.pieceLabel[j] == p.pieceLabel[i];
+                 after = p.setLabel[j] != notRigid && p.setLabel[j] == p.setLabel[i];
       s.changed = s.changed || before != after;
       if (after) s.now.push_back(to);
     }
@@ -71,7 +71,7 @@ void renewElements(const RigidView& v) {
   Continuum& p = v.particles;
   Surroundings around;
   eachSurrounded(
-      v.cells, p.owned, v.cells, [&](std::uint32_t i) { return p.pieceLabel[i] != notRigid; },
+      v.cells, p.owned, v.cells, [&](std::uint32_t i) { return p.setLabel[i] != notRigid; },
       [&](std::uint32_t i, std::span<const RowSpan> ranges) {
         look(v, i, ranges, around);
         if (!around.changed) return;

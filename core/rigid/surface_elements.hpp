@@ -19,7 +19,7 @@ void elementsOfShapes(const Scene& scene, std::span<const std::shared_ptr<const 
 void turnElement(Continuum& particles, std::size_t row, const Quat& rotation);
 
 /// Sets the elements of owned particles beside which particles of their piece appeared or vanished. They
-/// follow from the particles around, along the axes of the domain. Requires: Continuum::piece and pieceLabel
+/// follow from the particles around, along the axes of the domain. Requires: Continuum::piece and setLabel
 /// of the former and new pieces, with ghosts.
 void renewElements(const RigidView& view);
 

@@ -76,7 +76,7 @@ NewPieces findChanged(const RigidView& v, Reducer& all) {
   const Continuum& p = v.particles;
   std::vector<std::uint64_t> ids;
   for (std::size_t i = 0; i < p.owned; i++)
-    for (const std::uint64_t id : {p.piece[i], p.pieceLabel[i]})
+    for (const std::uint64_t id : {p.piece[i], p.setLabel[i]})
       if (id != notRigid) ids.push_back(id);
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
@@ -91,7 +91,7 @@ NewPieces findChanged(const RigidView& v, Reducer& all) {
   };
   for (std::size_t i = 0; i < p.owned; i++) {
     add(p.piece[i], p.id[i], -1);
-    add(p.pieceLabel[i], p.id[i], 1);
+    add(p.setLabel[i], p.id[i], 1);
   }
   RankPieceExchange exchange(all, ids, nullptr);
   exchange.sum(words, perPiece);
@@ -121,7 +121,7 @@ LeftSpins leftSpins(const RigidView& v, Reducer& all) {
     if (p.piece[i] == notRigid) continue;
     const auto at = std::lower_bound(left.ids.begin(), left.ids.end(), p.piece[i]);
     ExactSum* const s = sums.data() + perPiece * static_cast<std::size_t>(at - left.ids.begin());
-    if (p.pieceLabel[i] == notRigid) s[0].add(inertiaOf(p, v.scene, i));
+    if (p.setLabel[i] == notRigid) s[0].add(inertiaOf(p, v.scene, i));
     else s[1].add(1);
   }
   RankPieceExchange exchange(all, left.ids, nullptr);
@@ -139,8 +139,8 @@ LeftSpins leftSpins(const RigidView& v, Reducer& all) {
 /// Calls use(row of the particle, row of its new piece) for owned particles of changed pieces.
 template<class Use> void eachChanged(const RigidView& v, const NewPieces& n, Use&& use) {
   for (std::size_t i = 0; i < v.particles.owned; i++) {
-    if (v.particles.pieceLabel[i] == notRigid) continue;
-    if (const std::size_t k = n.rowOf(v.particles.pieceLabel[i]); k < n.ids.size()) use(i, k);
+    if (v.particles.setLabel[i] == notRigid) continue;
+    if (const std::size_t k = n.rowOf(v.particles.setLabel[i]); k < n.ids.size()) use(i, k);
   }
 }
 
@@ -343,7 +343,7 @@ void recordJoining(const RigidView& v, std::size_t row, const ExactSum* sums) {
 void recordMelted(const RigidView& v) {
   const Continuum& p = v.particles;
   for (std::size_t i = 0; i < p.owned; i++) {
-    if (p.piece[i] == notRigid || p.pieceLabel[i] != notRigid) continue;
+    if (p.piece[i] == notRigid || p.setLabel[i] != notRigid) continue;
     const Vec3d spin = formerMotion(v, i).spin;
     v.ledger.dissipated.add(0.5 * inertiaOf(p, v.scene, i) * dot(spin, spin));
   }
@@ -383,8 +383,8 @@ void placeParticles(const RigidView& v, const NewPieces& n, std::span<const std:
 /// Gives particles their new pieces. Those that melted are released.
 void adoptLabels(Continuum& p) {
   for (std::size_t i = 0; i < p.owned; i++) {
-    if (p.pieceLabel[i] == notRigid && p.clamped.active && p.clamped[i] == heldByPiece) p.clamped[i] = 0;
-    p.piece[i] = p.pieceLabel[i];
+    if (p.setLabel[i] == notRigid && p.clamped.active && p.clamped[i] == heldByPiece) p.clamped[i] = 0;
+    p.piece[i] = p.setLabel[i];
   }
 }
 

@@ -19,7 +19,7 @@ void markRigidParticles(const Scene& scene, Continuum& particles);
 /// evaluation. Ensures: rows of the pieces of owned particles. Collective.
 void updatePieces(const RigidView& view, const Halos& halos, bool atStart);
 
-/// As updatePieces, with the pieces that Continuum::pieceLabel gives for owned particles.
+/// As updatePieces, with the pieces that Continuum::setLabel gives for owned particles.
 void remakePieces(const RigidView& view, const Halos& halos, bool atStart);
 
 }  // namespace thaw

@@ -64,6 +64,53 @@ TEST(SurfaceCurvature, ABallHasLaplacesPressure) {
   EXPECT_LT(length(total) / inwards, 0.01);
 }
 
+/// A drop whose tension falls by 0.25 N/m per metre along x, while its temperature rises.
+Scene marangoniDrop(double spacing) {
+  Scene s = drop(spacing);
+  Material& m = s.materials[0];
+  m.surfaceTension = 1.5;
+  m.surfaceTensionTable = {{300, 2}, {340, 1}};
+  m.conductivity = {0.01, 0.01};
+  s.bodies[0].temperature = 320;
+  s.bodies[0].temperatureGradient = {10, 0, 0};
+  return s;
+}
+
+// The slope of the tension over the surface of a ball adds up to 8 pi R^2 / 3 times the slope in space.
+TEST(SurfaceCurvature, SlopesOfTheTensionActOnTheSurfaceOutsideOfTheParticles) {
+  const Simulation run(marangoniDrop(0.125));
+  double along = 0;
+  for (std::size_t i = 0; i < run.w.particles.owned; i++) {
+    const Vec3d f = tensionOf(run.w, i),
+                e = run.w.particles.position[i] / length(run.w.particles.position[i]);
+    along += (f - e * dot(f, e)).x;
+  }
+  EXPECT_NEAR(along / (-0.25 * 8 * pi / 3), 1, 0.1);
+}
+
+// A free drop, and a bubble in it, bear no net force of their tension.
+TEST(SurfaceCurvature, FreeDropsKeepTheirMomentum) {
+  Scene s = marangoniDrop(0.2);
+  s.bodies.push_back(s.bodies[0]);
+  s.bodies[0].shape.move = {-1, 0, 0};
+  s.bodies[1].name = "small";
+  s.bodies[1].shape.move = {1, 0, 0};
+  s.bodies[1].shape.radius = 0.6;
+  s.end = 0.2;
+  Simulation run(s);
+  ASSERT_TRUE(run.run());
+  for (const bool left : {true, false}) {
+    Vec3d total{};
+    double size = 0;
+    for (std::size_t i = 0; i < run.w.particles.owned; i++)
+      if (const Vec3d f = tensionOf(run.w, i); left == (run.w.particles.position[i].x < 0.2))
+        total += f, size += length(f);
+    EXPECT_GT(size, 1);
+    EXPECT_LT(length(total) / size, 1e-10);
+  }
+  EXPECT_LT(length(run.ledgerReport().now.momentum), 1e-10);
+}
+
 // A flat layer whose tension falls along x: the force along the surface is the slope of the tension.
 TEST(SurfaceCurvature, AFlatLayerFeelsTheSlopeOfTheTension) {
   Scene s = emptyScene(0.1, {0, 0, 0}, {3, 0.6, 2});

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/domain/extensions.hpp"
-#include "core/flow/curvature/balance_surface.hpp"
+#include "core/flow/curvature/closed_surfaces.hpp"
 #include "core/flow/curvature/surface_loops.hpp"
 #include "core/flow/curvature/thin_cohesion.hpp"
 #include "core/fluid/laws/particle_pressure.hpp"
@@ -19,10 +19,11 @@ std::vector<Vec3d> forcesByCurvature(const WallView& w, const std::vector<FreeSu
   std::vector<Vec3d> forces(elements.size());
   for (std::uint32_t i = 0; i < elements.size(); i++) {
     const FreeSurfaceElement& e = elements[i];
-    if (!(e.area > 0)) continue;
+    if (!(e.area > 0) || w.particles.phase[i] != Liquid) continue;
     const double tension = tensionAt(w, i), most = 2 * tension * w.scene.spacing;
     const double inwards = std::clamp(tension * e.curvature * e.area, -most, most);
-    forces[i] = (e.tensionGradient * e.area - e.normal * inwards) * e.resolved;
+    forces[i] = (e.tensionGradient * e.area - e.normal * inwards) *
+                (e.resolved * liquidFraction(w.particles, i));
   }
   return forces;
 }
@@ -42,14 +43,13 @@ void addCurvatureForce(const CurvatureContext& x) {
   AddedColumn& column = *tensionForceOf(p);
   const std::vector<FreeSurfaceElement> elements = findFreeSurface(x);
   std::vector<Vec3d> forces = forcesByCurvature(x.world, elements);
-  balanceSurface(x, elements, forces);
+  balanceClosedSurfaces(x, forces);
   addThinCohesion(x, elements, forces);
   for (std::uint32_t i = 0; i < p.owned; i++) {
     double* const kept = column.row(i);
     std::fill_n(kept, 3, 0.0);
-    const double f = p.phase[i] == Liquid ? liquidFraction(p, i) : 0;
-    if (f == 0 || !isFree(p, i)) continue;
-    const Vec3d force = borneByWalls(x, i, forces[i]) * f;
+    if (p.phase[i] != Liquid || !isFree(p, i)) continue;
+    const Vec3d force = borneByWalls(x, i, forces[i]);
     for (int axis = 0; axis < 3; axis++) kept[axis] = force[axis];
     p.force[i] += force;
   }

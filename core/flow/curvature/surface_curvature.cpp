@@ -154,6 +154,19 @@ void findSurfaceNormals(const CurvatureContext& x, std::vector<FreeSurfaceElemen
   refreshSurface(x, p.surfaceGradient);
 }
 
+/// Returns the gradient (N/m^2) of the tension, times the area of the surface half a spacing outside of the
+/// particles over that at the particles. In a direction with the curvature k, lengths grow by 1 + k dx / 2.
+/// Curvature and gradient then belong to one surface, so over a closed one the forces add up to 0.
+Vec3d gradientOutside(const TangentFit& fit, double h, double dx) {
+  const double half = 0.5 * dx / h;
+  double xx = half * fit.slope[0][0], yy = half * fit.slope[1][1],
+         xy = 0.5 * half * (fit.slope[0][1] + fit.slope[1][0]);
+  const double largest = std::max({std::abs(xx), std::abs(xy), std::abs(yy), 1.0});  // 1: a single particle
+  xx /= largest, xy /= largest, yy /= largest;
+  const double u = fit.tension[0] / h, v = fit.tension[1] / h;
+  return fit.first * ((1 + yy) * u - xy * v) + fit.second * ((1 + xx) * v - xy * u);
+}
+
 /// Sets the element of a particle, with the curvature before smoothing.
 void findElement(const CurvatureContext& x, std::uint32_t i, std::size_t g, std::size_t l,
                  FreeSurfaceElement& e) {
@@ -186,7 +199,7 @@ void findElement(const CurvatureContext& x, std::uint32_t i, std::size_t g, std:
                product = (fit.slope[0][0] * fit.slope[1][1] - fit.slope[0][1] * fit.slope[1][0]) / (h * h);
   const double most = 4 / dx;  // a ball of one particle
   e.curvature = std::clamp(sum + product * dx, -most, most);
-  e.tensionGradient = (fit.first * fit.tension[0] + fit.second * fit.tension[1]) / h;
+  e.tensionGradient = gradientOutside(fit, h, dx);
 }
 
 /// Averages the curvature over the neighbours. A particle that sticks out of the surface, or lies below it,

@@ -18,6 +18,7 @@ struct CurvatureContext {
   const NeighbourLists& neighbours;
   const WallContacts& contacts;
   CellHalo& halo;
+  Reducer& all;
 };
 
 /// Returns the surface tension (N/m) of the liquid of a row, an owned one or a ghost.

@@ -32,8 +32,8 @@ double uncovered(const CurvatureContext& x, std::uint32_t row) {
   return least;
 }
 
-/// Packs the data of pairs into surfaceGradient: x: 1 - resolved; y: uncovered; z: V sqrt(gamma) in liquid,
-/// else 0.
+/// Packs the data of pairs into surfaceGradient: x: 1 - resolved; y: uncovered; z: V sqrt(gamma) times the
+/// liquid fraction.
 void packCohesion(const CurvatureContext& x, const std::vector<FreeSurfaceElement>& elements) {
   const WallView& w = x.world;
   Continuum& p = w.particles;
@@ -42,7 +42,7 @@ void packCohesion(const CurvatureContext& x, const std::vector<FreeSurfaceElemen
     p.surfaceGradient[i] = {};
     if (f == 0) continue;
     p.surfaceGradient[i] = {1 - elements[i].resolved, uncovered(x, i),
-                            restVolumeOf(p, w.scene.materials, i) * std::sqrt(tensionAt(w, i))};
+                            restVolumeOf(p, w.scene.materials, i) * std::sqrt(tensionAt(w, i)) * f};
   }
 }
 

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "core/halo/word_streams.hpp"
-#include "core/rigid/data/spread_labels.hpp"
+#include "core/halo/spread_labels.hpp"
 
 namespace thaw {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "core/halo/exchange.hpp"
 #include "core/rigid/connect.hpp"
-#include "core/rigid/data/spread_labels.hpp"
+#include "core/halo/spread_labels.hpp"
 #include "core/rigid/link_pieces.hpp"
 #include "core/rigid/piece_sums.hpp"
 #include "core/rigid/rigidify/deforming.hpp"
@@ -77,8 +77,8 @@ void rigidifySolids(const RigidifyView& v, const Halos& halos) {
   wakeSoftening(v);
   labelBonded(v, halos, labels);
   dropSmall(v, halos.all, labels);
-  std::fill_n(p.pieceLabel.data(), p.owned, notRigid);
-  for (std::size_t i = 0; i < s.owned; i++) p.pieceLabel[s.particle[i]] = labels.piece[i];
+  std::fill_n(p.setLabel.data(), p.owned, notRigid);
+  for (std::size_t i = 0; i < s.owned; i++) p.setLabel[s.particle[i]] = labels.piece[i];
   remakePieces(v.rigid, halos, false);
   refresh(halos.bonds, s, ColumnList{&labels.piece}).wait();
   chooseActiveSlots(v.elastic, s, v.bonds, labels);

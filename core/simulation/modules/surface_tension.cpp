@@ -33,7 +33,7 @@ StepModule tensionByCurvature() {
            {ModulePhase::ContinuumForce,
             [](StepContext& c) {
               if (isTensionDue(c.t.tensionInterval, c.w.clock, c.dt))
-                addCurvatureForce({wallView(c.w), c.w.neighbours, c.t.wallContacts, c.halos.cells});
+                addCurvatureForce({wallView(c.w), c.w.neighbours, c.t.wallContacts, c.halos.cells, c.halos.all});
               else reuseCurvatureForce(c.w.particles);
               c.t.times.lap(StepPhase::Forces);
             }},

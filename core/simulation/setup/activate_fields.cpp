@@ -51,7 +51,7 @@ void activateHeat(Continuum& p, const Modules& m) {
 void activatePieceFields(World& w) {
   Continuum& p = w.particles;
   const Modules& m = w.modules;
-  turnOn(p, true, {&p.piece, &p.bodyPosition, &p.pieceRow, &p.pieceLabel});
+  turnOn(p, true, {&p.piece, &p.bodyPosition, &p.pieceRow, &p.setLabel});
   activatePieces(w.pieces);
   turnOn(p, m.rigidify, {&p.restTime, &p.constraintForce});
   turnOn(p, !m.rigidify, {&p.faceNormal, &p.faceOffset, &p.faceRadius, &p.contactPartner, &p.contactImpulse});
@@ -72,7 +72,7 @@ void activateFields(World& w, StepTools& t) {
   for (const auto& added : p.added) p.activate(*added);
   activateFluid(p, m);
   const bool curvature = actsByCurvature(w.scene.numerics, m), pairTension = m.tension && !curvature;
-  turnOn(p, curvature, {&p.surfaceGradient, &p.surfaceColour});
+  turnOn(p, curvature, {&p.surfaceGradient, &p.surfaceColour, &p.setLabel});
   turnOn(p, m.shifting && m.continuity && (pairTension || !t.pairForces.empty()), {&p.positionForce});
   activateHeat(p, m);
   turnOn(p, m.surface, {&p.surfacePosition, &p.component});

@@ -10,9 +10,11 @@
 
 namespace thaw {
 
+inline constexpr std::uint64_t noSet = 0;  ///< label of rows that are in no set
+
 /// Sets the label of each connected set to its smallest label, on all ranks. Sets are over the owned rows and
-/// the copies of other ranks' rows; rows labelled notRigid are in none. labels: of all rows of the sets,
-/// owned ones first. exchange: sends the labels to the copies. Collective.
+/// the copies of other ranks' rows; rows labelled noSet are in none. labels: of all rows of the sets, owned
+/// ones first. exchange: sends the labels to the copies. Collective.
 void spreadLabels(std::span<std::uint64_t> labels, std::size_t owned, DisjointSets& sets, Reducer& all,
                   const std::function<void()>& exchange);
 

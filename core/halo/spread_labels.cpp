@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/rigid/data/spread_labels.hpp"
+#include "core/halo/spread_labels.hpp"
 
 #include <algorithm>
 #include <vector>
-
-#include "core/particles/continuum.hpp"
 
 namespace thaw {
 namespace {
@@ -14,13 +12,13 @@ bool spreadHere(std::span<std::uint64_t> labels, std::size_t owned, DisjointSets
   const std::size_t rows = sets.parent.size();
   std::vector<std::uint64_t> least(rows, ~std::uint64_t{0});
   for (std::uint32_t i = 0; i < rows; i++)
-    if (labels[i] != notRigid) {
+    if (labels[i] != noSet) {
       std::uint64_t& l = least[sets.find(i)];
       l = std::min(l, labels[i]);
     }
   bool changed = false;
   for (std::uint32_t i = 0; i < owned; i++) {
-    if (labels[i] == notRigid) continue;
+    if (labels[i] == noSet) continue;
     const std::uint64_t l = least[sets.find(i)];
     changed = changed || l != labels[i];
     labels[i] = l;
