@@ -161,7 +161,7 @@ struct Continuum : Table {
       "position in the body frame of its piece", Rows::Owned};
   Column<std::uint32_t> pieceRow{*this, "pieceRow", "1", Keep::Local, "row of its piece on this rank"};
   Column<std::uint64_t> setLabel{*this, "setLabel", "1", Keep::Transient,
-      "smallest label found so far in its set, while connected rows get labels (core/halo/spread_labels.hpp)"};
+      "smallest label found so far in its set of connected rows (core/halo/spread_labels.hpp)"};
   Column<u8> exposed{*this, "exposed", "1", Keep::State,
       "1: rigid particle that the initial surface may no longer cover; only with a surface", Rows::Owned};
   Column<Vec3f> faceNormal{*this, "faceNormal", "1", Keep::State,

@@ -2,8 +2,8 @@
 #include "core/rigid/connect.hpp"
 
 #include "core/halo/exchange.hpp"
-#include "core/neighbours/rows_around.hpp"
 #include "core/halo/spread_labels.hpp"
+#include "core/neighbours/rows_around.hpp"
 
 namespace thaw {
 

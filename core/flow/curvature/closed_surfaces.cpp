@@ -13,17 +13,17 @@
 namespace thaw {
 namespace {
 
-/// Sums over a surface in integers, which do not depend on the order: area, three components of the force, and
-/// the number of particles where it is open.
+/// Sums over a surface in integers, which do not depend on the order: area, three components of the force,
+/// and the number of particles where it is open.
 constexpr std::size_t wordsOfSurface = 5;
 
-/// Bits of the largest summand. Sums of up to 2^22 particles have no overflow, and their errors are 2^-40 of
-/// the largest summand.
-constexpr int summandBits = 40;
+/// Bits of the largest summand. Sums over up to 2^26 particles have no overflow, and each summand has an error
+/// of 2^-37 of the largest one.
+constexpr int summandBits = 36;
 
 /// Surfaces with particles on this rank.
 struct Surfaces {
-  std::vector<std::uint64_t> label;  ///< of each surface: 1 + the smallest id of its particles
+  std::vector<std::uint64_t> label;  ///< 1 + the smallest id of its particles, ascending
   std::vector<std::uint32_t> of;     ///< number of the surface of each owned row
 };
 
@@ -60,7 +60,9 @@ Units commonUnits(const CurvatureContext& x, const std::vector<Vec3d>& force) {
     most[1] = std::max({most[1], std::abs(force[i].x), std::abs(force[i].y), std::abs(force[i].z)});
   }
   x.all.maximum(most);
-  const auto unit = [](double value) { return value > 0 ? std::ldexp(1.0, std::ilogb(value) + 1 - summandBits) : 1; };
+  const auto unit = [](double value) {
+    return value > 0 ? std::ldexp(1.0, std::ilogb(value) + 1 - summandBits) : 1;
+  };
   return {unit(most[0]), unit(most[1])};
 }
 
@@ -91,7 +93,8 @@ void balanceClosedSurfaces(const CurvatureContext& x, std::vector<Vec3d>& force)
     const std::int64_t* const sum = &sums[surfaces.of[i] * wordsOfSurface];
     if (sum[4] > 0 || sum[0] == 0) return;
     const double share = weightOf(p, i) / (static_cast<double>(sum[0]) * units.area) * units.force;
-    force[i] -= Vec3d{static_cast<double>(sum[1]), static_cast<double>(sum[2]), static_cast<double>(sum[3])} * share;
+    force[i] -= Vec3d{static_cast<double>(sum[1]), static_cast<double>(sum[2]), static_cast<double>(sum[3])} *
+                share;
   });
 }
 

@@ -6,8 +6,8 @@
 #include <numeric>
 #include <tuple>
 
-#include "core/halo/word_streams.hpp"
 #include "core/halo/spread_labels.hpp"
+#include "core/halo/word_streams.hpp"
 
 namespace thaw {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "core/halo/exchange.hpp"
-#include "core/rigid/connect.hpp"
 #include "core/halo/spread_labels.hpp"
+#include "core/rigid/connect.hpp"
 #include "core/rigid/link_pieces.hpp"
 #include "core/rigid/piece_sums.hpp"
 #include "core/rigid/rigidify/deforming.hpp"

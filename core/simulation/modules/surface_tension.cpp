@@ -26,19 +26,20 @@ StepModule tensionByTemperature() {
 }
 
 StepModule tensionByCurvature() {
-  return {"surface tension by curvature",
-          [](const World& w, const StepTools&) { return actsByCurvature(w.scene.numerics, w.modules); },
-          {{ModulePhase::FirstKick,
-            [](StepContext& c) { recordCurvatureKick(wallView(c.w), HalfKick::First, c.dt); }},
-           {ModulePhase::ContinuumForce,
-            [](StepContext& c) {
-              if (isTensionDue(c.t.tensionInterval, c.w.clock, c.dt))
-                addCurvatureForce({wallView(c.w), c.w.neighbours, c.t.wallContacts, c.halos.cells, c.halos.all});
-              else reuseCurvatureForce(c.w.particles);
-              c.t.times.lap(StepPhase::Forces);
-            }},
-           {ModulePhase::SecondKick,
-            [](StepContext& c) { recordCurvatureKick(wallView(c.w), HalfKick::Second, c.dt); }}}};
+  return {
+      "surface tension by curvature",
+      [](const World& w, const StepTools&) { return actsByCurvature(w.scene.numerics, w.modules); },
+      {{ModulePhase::FirstKick,
+        [](StepContext& c) { recordCurvatureKick(wallView(c.w), HalfKick::First, c.dt); }},
+       {ModulePhase::ContinuumForce,
+        [](StepContext& c) {
+          if (isTensionDue(c.t.tensionInterval, c.w.clock, c.dt))
+            addCurvatureForce({wallView(c.w), c.w.neighbours, c.t.wallContacts, c.halos.cells, c.halos.all});
+          else reuseCurvatureForce(c.w.particles);
+          c.t.times.lap(StepPhase::Forces);
+        }},
+       {ModulePhase::SecondKick,
+        [](StepContext& c) { recordCurvatureKick(wallView(c.w), HalfKick::Second, c.dt); }}}};
 }
 
 StepModule energyOfLeaving() {
