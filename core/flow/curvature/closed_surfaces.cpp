@@ -17,8 +17,8 @@ namespace {
 /// and the number of particles where it is open.
 constexpr std::size_t wordsOfSurface = 5;
 
-/// Bits of the largest summand. Sums over up to 2^26 particles have no overflow, and each summand has an error
-/// of 2^-37 of the largest one.
+/// Bits of the largest summand. Sums over up to 2^26 particles have no overflow, and each summand has an
+/// error of 2^-37 of the largest one.
 constexpr int summandBits = 36;
 
 /// Surfaces with particles on this rank.
