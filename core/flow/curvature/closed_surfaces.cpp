@@ -9,6 +9,7 @@
 #include "core/halo/exchange.hpp"
 #include "core/halo/spread_labels.hpp"
 #include "core/rigid/piece_sums.hpp"
+#include "core/walls/wall_forces.hpp"
 
 namespace thaw {
 namespace {
