@@ -16,10 +16,6 @@ WallColour atWall(const Scene& scene, const CellGrid& grid, const WallContact& c
   return wallColour(dx, std::max(c.distance / h, -0.5 * dx));
 }
 
-double wettingAt(const WallView& w, const WallContact& c) {
-  return wettingOf(w.scene.materials[w.particles.material[c.row]], w.walls.list[c.wall].properties);
-}
-
 /// Sums of a particle without its walls of one contact angle.
 SurfaceKernelValue sumsWithout(const SurfaceContext& x, const SurfaceParticle& p, double wetting) {
   SurfaceKernelValue sums = p.sums;
@@ -99,6 +95,10 @@ void addForces(const SurfaceContext& x, const SurfaceParticle& p, const SurfaceS
 
 double wettingOf(const Material& m, const Obstacle& wall) {
   return wettingOf(wall.contactAngle < never ? wall.contactAngle : m.contactAngle);
+}
+
+double wettingAt(const WallView& w, const WallContact& c) {
+  return wettingOf(w.scene.materials[w.particles.material[c.row]], w.walls.list[c.wall].properties);
 }
 
 void updateSurfaceTension(const WallView& w) {

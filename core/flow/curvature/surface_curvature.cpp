@@ -65,8 +65,7 @@ Vec3d normalAtWall(const CurvatureContext& x, std::uint32_t i, const Vec3d& n) {
   const WallView& w = x.world;
   if (!c || c->distance >= ownNormalFrom * w.scene.spacing) return n;
   const Vec3d along = n - c->normal * dot(n, c->normal);
-  const double size = length(along), wetting = wettingOf(w.scene.materials[w.particles.material[i]],
-                                                         w.walls.list[c->wall].properties);
+  const double size = length(along), wetting = wettingAt(w, *c);
   const double share = std::clamp(
                            (ownNormalFrom - c->distance / w.scene.spacing) / (ownNormalFrom - wallNormalUpTo),
                            0.0, 1.0) *
@@ -78,21 +77,27 @@ Vec3d normalAtWall(const CurvatureContext& x, std::uint32_t i, const Vec3d& n) {
 
 /// Normals and weights of owned rows from the colour gradient, walls included. surfaceColour becomes the
 /// colour over that of the full lattice, the particle itself included.
+///
+/// Beyond 90 degrees, a drop overhangs its wall. There the wall counts partly as gas in the direction of the
+/// normal, wholly at 180 degrees. The wedge of gas would else be filled by the kernel, and look upright.
 void startNormals(const CurvatureContext& x) {
   const WallView& w = x.world;
   Continuum& p = w.particles;
   const double spacing = w.scene.spacing / w.grid.support, flat = flatColourGradient(w.scene.numerics);
   const SurfaceMeasure measure = surfaceMeasure(w.scene.numerics, w.scene.spacing);
+  std::vector<Vec3d> gas(p.owned);
   for (const WallContact& c : x.contacts.list) {
     const WallColour wall = wallColour(spacing, std::max(c.distance / w.grid.support, 0.0));
-    p.surfaceGradient[c.row] += c.normal * (wall.slope * c.share);
+    const Vec3d slope = c.normal * (wall.slope * c.share);
+    p.surfaceGradient[c.row] += slope;
     p.surfaceColour[c.row] += wall.colour * c.share;
+    gas[c.row] += slope * std::min(wettingAt(w, c), 0.0);
   }
   for (std::uint32_t i = 0; i < p.owned; i++) {
-    const double size = length(p.surfaceGradient[i]),
-                 weight = smoothStep(insideGradient, surfaceGradientFrom, size / flat);
+    const double weight = smoothStep(insideGradient, surfaceGradientFrom,
+                                     length(p.surfaceGradient[i]) / flat);
     if (weight == 0 || !(liquidFraction(p, i) > 0)) p.surfaceGradient[i] = {};
-    else p.surfaceGradient[i] = p.surfaceGradient[i] * (-weight / size);
+    else p.surfaceGradient[i] = unitOrZero(p.surfaceGradient[i] + gas[i]) * -weight;
     p.surfaceColour[i] = (p.surfaceColour[i] + measure.self) / (measure.full + measure.self);
   }
 }

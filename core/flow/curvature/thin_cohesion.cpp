@@ -22,13 +22,9 @@ double cohesionAt(double q) { return q * (1 - q) * (1 - q) * (q - repulsiveBelow
 /// leaves gamma (1 - cos(theta)) of 2 gamma. It acts between particles that are both on a wall. Liquid above
 /// them is held by its full cohesion, and spreads on them as on liquid.
 double uncovered(const CurvatureContext& x, std::uint32_t row) {
-  const WallView& w = x.world;
   double least = 1;
-  for (const WallContact& c : contactsOf(x.contacts, row)) {
-    const double wetting = wettingOf(w.scene.materials[w.particles.material[row]],
-                                     w.walls.list[c.wall].properties);
-    least = std::min(least, 1 - shareOfWall(x, c) * 0.5 * (1 + wetting));
-  }
+  for (const WallContact& c : contactsOf(x.contacts, row))
+    least = std::min(least, 1 - shareOfWall(x, c) * 0.5 * (1 + wettingAt(x.world, c)));
   return least;
 }
 
