@@ -24,7 +24,11 @@ void moveVertices(std::span<const VertexMap> maps, const VertexArrays& a, std::s
     double *x = &a.position->x, *v = &a.velocity->x;
     const double *rest = &a.rest->x, *load = &a.load->x;
     const VertexMap m = maps[0];
+#ifdef __clang__
+#pragma clang loop vectorize(assume_safety)
+#else
 #pragma GCC ivdep
+#endif
     for (std::size_t k = 3 * begin; k < 3 * end; k++) moveOne(m, x[k], v[k], rest[k], load[k]);
     return;
   }
