@@ -84,6 +84,77 @@ TEST(RigidContact, ABoxTopplesBeyondTheAngleOfItsEdge) {
   }
 }
 
+/// Makes a piece practically immovable.
+void holdPiece(RigPiece& p) {
+  p.mass = 1e20;
+  p.inertia = {1e20, 1e20, 1e20};
+}
+
+TEST(RigidContact, ABoxOnAPieceTopplesBeyondTheAngleOfItsEdge) {
+  const double width = 0.4, height = 1.2, edge = std::atan(width / height);
+  for (const double angle : {0.96 * edge, 1.04 * edge})
+    for (const double turn : {0.0, 0.5}) {
+      RigidRig rig(spacing, 3, 2e-3);
+      rig.setFriction(1, 0);
+      rig.gravity = along(angle);
+      rig.pieces.push_back(pieceOf(BoxDistance({2, 2, 0.4}), spacing, 1000));
+      rig.pieces[0].centre.z = 0.2;
+      rig.pieces[0].orientation = rotationBy({0, 0, turn});
+      holdPiece(rig.pieces[0]);
+      rig.pieces.push_back(pieceOf(BoxDistance({width, width, height}), spacing, 1000));
+      rig.pieces[1].centre = {0.03, 0.02, 0.4 + 0.5 * height};
+      for (int n = 0; n < 800; n++) {
+        rig.pieces[0].velocity = -rig.settings.step * rig.gravity;
+        rig.step();
+      }
+      const bool stands = rig.pieces[1].centre.z > 0.4 + 0.99 * 0.5 * height;
+      EXPECT_EQ(stands, angle < edge) << angle << " " << turn;
+    }
+}
+
+TEST(RigidContact, ATowerStandsUpToItsLargestOverhang) {
+  const int boxes = 4;
+  const double width = 0.6, height = 0.3;
+  for (const double part : {0.95, 1.05}) {
+    RigidRig rig(spacing, 6, 2e-3);
+    rig.setFriction(0.8, 0);
+    double x = 0;
+    for (int above = boxes - 1; above >= 0; above--) {
+      rig.pieces.push_back(pieceOf(BoxDistance({width, width, height}), spacing, 1000));
+      rig.pieces.back().centre = {x, 0, height * (boxes - above - 0.5)};
+      if (above > 0) x += part * 0.5 * width / above;
+    }
+    for (int n = 0; n < 800; n++) rig.step();
+    const bool stands = rig.pieces.back().centre.z > height * (boxes - 0.5) - 0.1 * spacing;
+    EXPECT_EQ(stands, part < 1) << part;
+  }
+}
+
+TEST(RigidContact, CrossedBarsTouchAtTheirEdges) {
+  const double width = 0.4, across = 0.5 * width * std::sqrt(2.0);
+  for (const double shift : {0.0, 0.02, 0.05, 0.13})
+    for (const double angle : {0.2, 0.8, 1.5}) {
+      RigidRig rig(spacing, 4, 1e-3);
+      rig.setFriction(0.5, 0);
+      rig.gravity = {0, 0, -1};
+      for (int k = 0; k < 2; k++) {
+        RigPiece bar = pieceOf(BoxDistance({2, width, width}), spacing, 1000);
+        bar.orientation = rotationBy({0, 0, angle * k}) * rotationBy({0.25 * 3.14159265358979, 0, 0});
+        bar.centre = {shift * k, 0.7 * shift * k, 1 + (2 * across + 0.02 * spacing) * k};
+        rig.pieces.push_back(bar);
+      }
+      holdPiece(rig.pieces[0]);
+      double lowest = 1;
+      for (int n = 0; n < 100; n++) {
+        rig.pieces[0].velocity = -rig.settings.step * rig.gravity;
+        rig.step();
+        lowest = std::min(lowest, rig.pieces[1].centre.z - 1 - 2 * across);
+      }
+      // a bar slides off slowly
+      EXPECT_NEAR(lowest, 0, 0.02 * spacing) << shift << " " << angle;
+    }
+}
+
 TEST(RigidContact, RollingFrictionSlowsOrHoldsABall) {
   const double radius = 0.3, angle = 0.05;
   for (const double arm : {0.3 * radius * std::tan(angle), 2 * radius * std::tan(angle)}) {
@@ -168,7 +239,7 @@ TEST(RigidContact, TheEnergyOfAPileOnlyFalls) {
   for (int i = 0; i < 16; i++) {
     RigPiece p = i % 2 ? pieceOf(BoxDistance({0.6, 0.4, 0.5}), spacing, 1000)
                        : pieceOf(SphereDistance(0.3), spacing, 1000);
-    p.centre = {i & 1 ? -0.37 : 0.37, i & 2 ? -0.37 : 0.37, 0.5 + 0.8 * (i / 4)};
+    p.centre = {i & 1 ? -0.37 : 0.37, i & 2 ? -0.37 : 0.37, 0.5 + 0.9 * (i / 4)};
     p.orientation = rotationBy({0.3 * i, 0.7 * i, 0.1 * i});
     rig.pieces.push_back(p);
   }

@@ -17,8 +17,12 @@ namespace {
 
 constexpr double nearGap = 0.03;   // spacings; smaller gaps are contacts at any velocity
 constexpr double faceGap = 0.03;   // spacings; faces count before edges that are not this much closer
-constexpr double flatEdge = 0.3;   // spacings; faces are plane so far beyond their outermost particles, have
-constexpr double roundEdge = 0.5;  // a chamfer up to here, and are round further out, as their edges are
+constexpr double flatEdge = 0.3;   // spacings; faces with round edges are plane so far beyond their outermost
+constexpr double roundEdge = 0.5;  // particles, have a chamfer up to here, and are round further out
+constexpr double overEdge = 0.02;  // spacings; contacts so far beyond a sharp edge are still on its face
+constexpr double onFace = 0.1;     // spacings, largest distance of the edge of a face from its plane
+constexpr double flushOverlap = 0.15;  // spacings, largest overlap of aligned edges with a face
+constexpr double onePoint = 0.5;   // spacings; crossings of edges that are nearer to each other are the same
 constexpr double lookAhead = 1.5;  // steps; motions change within the step
 
 bool isAsleep(const ContactSearch& s, std::size_t i) { return s.pieces.asleep[s.particles.pieceRow[i]] != 0; }
@@ -33,6 +37,7 @@ bool mayClose(const ContactSearch& s, std::span<const PieceMotion> motion, const
 struct SurfaceParticle {
   PlacedElement element;
   Vec3d centre;  ///< m, of the sphere
+  double size;   ///< m, largest distance of the surface from the centre; infinite: plane
   std::uint64_t piece;
   std::uint32_t row;
   std::uint8_t bend;  ///< result of bend()
@@ -51,8 +56,9 @@ struct SurfaceCells {
 std::uint8_t bend(const PlacedElement& e) { return e.round() ? 2 : e.plane() ? 0 : 1; }
 
 SurfaceParticle surfaceParticle(const ContactSearch& s, std::uint32_t i) {
-  const PlacedElement e = placedElement(s.particles, s.pieces, i);
-  return {e, e.plane() ? e.position : e.centre(), s.particles.piece[i], i, bend(e), isAsleep(s, i)};
+  const PlacedElement e = placedElement(s.particles, s.pieces, i, s.scene.spacing);
+  const double size = e.round() ? extentOf(e, s.scene.spacing) : e.radius;
+  return {e, e.plane() ? e.position : e.centre(), size, s.particles.piece[i], i, bend(e), isAsleep(s, i)};
 }
 
 SurfaceCells surfaceCells(const ContactSearch& s) {
@@ -203,10 +209,9 @@ bool isNear(const Search& s, const SurfaceParticle& a, const SurfaceParticle& b)
   const bool planes = a.bend == 0 && b.bend == 0;
   if (!planes && a.element.radius + b.element.offset < smallRadii * spacing) gap = std::max(gap, spacing);
   const Vec3d to = a.centre - b.centre;
-  if (b.bend == 0 && !planes) return dot(to, b.element.normal) - b.element.offset - a.element.radius < gap;
+  if (b.bend == 0 && !planes) return dot(to, b.element.normal) - b.element.offset - a.size < gap;
   const double aside = planes ? elementReach * spacing : 0;
-  const double reach = planes ? std::max(a.element.offset + b.element.offset, spacing)
-                              : a.element.radius + b.element.radius;
+  const double reach = planes ? std::max(a.element.offset + b.element.offset, spacing) : a.size + b.size;
   return dot(to, to) < (reach + gap) * (reach + gap) + aside * aside;
 }
 
@@ -228,13 +233,58 @@ Vec3d beyondFace(const Search& s, const Candidate& plane, std::span<const Candid
   return beyond;
 }
 
-/// Bevels the edges of a face. From flatEdge on, the gap of a particle beyond the face grows, up to that of
-/// two spheres at roundEdge. The normal is the gradient of the gap, so that sliding changes no overlap that
-/// the normal velocity does not show. From roundEdge on, drops the contact: edges touch there instead.
-void bevelEdges(const Search& s, const PlacedElement& a, std::vector<Candidate>& candidates) {
+/// Place of a point of contact within the sharp edges of a face.
+struct WithinEdges {
+  bool sharp = false;        ///< no round edge is nearer than a sharp one
+  double inside = HUGE_VAL;  ///< m, distance from the nearest sharp edge; negative: beyond it
+  Vec3d outward{};           ///< unit vector along the face to that edge
+};
+
+WithinEdges withinEdges(const Search& s, const Candidate& plane, std::span<const Candidate> candidates) {
+  const PlacedElement& face = plane.element();
+  const double spacing = s.in.scene.spacing;
+  double sharp = HUGE_VAL, round = HUGE_VAL;  // squares of distances along the face
+  WithinEdges w;
+  for (const Candidate& c : candidates) {
+    if (c.particle->bend < 2 || c.particle->piece != plane.particle->piece) continue;
+    const PlacedElement& e = c.element();
+    const Vec3d edge = e.position + e.edge.to, to = plane.contact->point - edge;
+    const Vec3d onIt = to - dot(to, face.normal) * face.normal;
+    if (!e.sharp()) round = std::min(round, dot(onIt, onIt));
+    if (!e.sharp() || std::abs(dot(edge - face.position, face.normal) - face.offset) > onFace * spacing)
+      continue;
+    const Vec3d out = e.edge.to - dot(e.edge.to, face.normal) * face.normal;
+    const double size = length(out);
+    if (!(size > onFace * spacing) || !onPart(e.edge, dot(to, e.edge.along), spacing)) continue;
+    sharp = std::min(sharp, dot(onIt, onIt));
+    const double inside = -dot(onIt, out) / size;
+    if (inside < w.inside) w.inside = inside, w.outward = out / size;
+  }
+  w.sharp = sharp <= round && sharp < HUGE_VAL;
+  return w;
+}
+
+/// Returns true if an element touches a face within its sharp edges, and not another face beyond one of them.
+bool touchesFace(const PlacedElement& a, const WithinEdges& at, double gap, double spacing) {
+  if (at.inside < -overEdge * spacing) return false;
+  if (!a.sharp()) return true;
+  // Aligned edges are flush with an edge of the face, at any overlap that occurs in contacts.
+  const double most = dot(a.edge.to, at.outward) < 0 ? faceGap : flushOverlap;
+  return -gap < at.inside + most * spacing;
+}
+
+/// Ends faces at their edges. Faces with round edges have bevels: from flatEdge on, the gap of a particle
+/// beyond the face grows, up to that of two spheres at roundEdge. The normal is the gradient of the gap, so
+/// that sliding changes no overlap that the normal velocity does not show. From roundEdge on, drops the
+/// contact: edges touch there instead.
+void endFaces(const Search& s, const PlacedElement& a, std::vector<Candidate>& candidates) {
   const double flat = flatEdge * s.in.scene.spacing;
   for (Candidate& c : candidates) {
     if (c.particle->bend > 0 || !c.contact) continue;
+    if (const WithinEdges at = withinEdges(s, c, candidates); at.sharp) {
+      if (!touchesFace(a, at, c.contact->gap, s.in.scene.spacing)) c.contact.reset();
+      continue;
+    }
     const Vec3d beyond = beyondFace(s, c, candidates);
     c.beyond = length(beyond);
     if (!(c.beyond > flat)) continue;
@@ -256,12 +306,17 @@ bool replaces(const Search& s, const PlacedElement& a, const Candidate& o, const
   if (!o.contact || &o == &c || o.particle->piece != c.particle->piece) return false;
   const auto id = [&](const Candidate& x) { return s.in.particles.id[x.particle->row]; };
   const double gap = o.contact->gap, other = c.contact->gap, even = faceGap * s.in.scene.spacing;
+  const bool nearer = std::tuple(gap, id(o)) < std::tuple(other, id(c));
   const bool edge = a.round() && c.particle->bend == 2;
+  if (c.contact->crossing)
+    return o.contact->crossing && o.bin == c.bin && nearer &&
+           length(o.contact->point - c.contact->point) < onePoint * s.in.scene.spacing;
+  if (o.contact->crossing) return edge;
   if (edge != (a.round() && o.particle->bend == 2)) return edge ? gap < other + even : other >= gap + even;
   if (o.bin != c.bin) return false;
   if (o.particle->bend == 0 && c.particle->bend == 0)
     return std::tuple(o.beyond, o.contact->aside, id(o)) < std::tuple(c.beyond, c.contact->aside, id(c));
-  return std::tuple(gap, id(o)) < std::tuple(other, id(c));
+  return nearer;
 }
 
 /// Returns true if the search from particle a lists its contact with b. The search from the more curved
@@ -272,7 +327,7 @@ bool lists(const SurfaceParticle& a, const SurfaceParticle& b) {
 
 /// Adds the contacts of a particle, one for each piece and direction.
 void addPairContacts(Search& s, const SurfaceParticle& a, std::vector<Candidate>& candidates) {
-  if (a.bend > 0) bevelEdges(s, a.element, candidates);
+  if (a.bend > 0) endFaces(s, a.element, candidates);
   for (Candidate& c : candidates)
     if (c.contact) c.bin = directionBin(c.contact->normal);
   for (const Candidate& c : candidates)
@@ -352,8 +407,8 @@ double riseOf(const Search& s, std::uint32_t i, const Vec3d& anchor, const Vec3d
 void wallContacts(Search& s, std::uint32_t i, std::uint32_t k) {
   const Wall& wall = s.in.walls.list[k];
   const double spacing = s.in.scene.spacing;
-  const PlacedElement a = placedElement(s.in.particles, s.in.pieces, i);
-  const double reach = std::min(s.in.grid.support, std::max(a.offset, length(a.corner)) + spacing);
+  const PlacedElement a = placedElement(s.in.particles, s.in.pieces, i, spacing);
+  const double reach = std::min(s.in.grid.support, std::max(a.offset, length(a.edge.to)) + spacing);
   const Vec3d rest = toRest(wall.pose, a.position);
   if (!nearBounds(wall.bounds, rest, reach)) return;
   const Faces faces = facesWithin(*wall.shape, rest, reach, spacing);
@@ -397,9 +452,9 @@ void findObstacles(Search& s) {
 
 }  // namespace
 
-PlacedElement placedElement(const Continuum& p, const Pieces& pieces, std::size_t i) {
+PlacedElement placedElement(const Continuum& p, const Pieces& pieces, std::size_t i, double spacing) {
   return placedElement({p.faceNormal[i], p.faceOffset[i], p.faceRadius[i]}, p.position[i],
-                       pieces.orientation[p.pieceRow[i]]);
+                       pieces.orientation[p.pieceRow[i]], spacing);
 }
 
 std::vector<FoundContact> findContacts(const ContactSearch& search, std::span<const PieceMotion> motion,
