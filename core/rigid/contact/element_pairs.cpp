@@ -11,7 +11,6 @@ namespace {
 
 constexpr double facing = 0.7;          // cosine between the normals of two planes that touch
 constexpr double cone = 0.9;            // edges replace spheres slightly beyond the normals of their faces
-constexpr double crossingCone = 0.5;    // the same for edges that cross
 constexpr double edgeReach = 0.6;       // spacings, along an edge from the point nearest to the particle
 constexpr double leastCrossing = 0.05;  // sine of the angle between edges that cross
 constexpr double deepestEdge = 0.5;     // spacings, largest overlap of an edge; deeper is beside another face
@@ -66,8 +65,7 @@ std::optional<ElementContact> crossingOf(const PlacedElement& a, const PlacedEle
   const double sine = length(across);
   if (!(sine > leastCrossing)) return {};
   const Vec3d n = across / (dot(ea.to, across) < 0 ? sine : -sine);
-  // Beyond the normals of their faces, too: the plane that a corner touches there may be too far away.
-  if (!(dot(ea.to, -n) > crossingCone * a.offset && dot(eb.to, n) > crossingCone * b.offset)) return {};
+  if (!sharpTowards(a, -n) || !sharpTowards(b, n)) return {};
   const Vec3d pa = a.position + ea.to, pb = b.position + eb.to, between = pa - pb;
   const double k = dot(across, n), sa = -dot(cross(between, eb.along), n) / k,
                sb = -dot(cross(between, ea.along), n) / k;
@@ -145,6 +143,22 @@ PlacedElement placedElement(const SurfaceElement& e, const Vec3d& position, cons
 
 bool sharpTowards(const PlacedElement& e, const Vec3d& direction) {
   return e.sharp() && dot(e.edge.to, direction) > cone * e.offset;
+}
+
+std::array<Vec3d, 2> facesBeside(const PlacedElement& e) {
+  constexpr double even = 1e-3;  // relative
+  const double square = dot(e.edge.to, e.edge.to), expected = 2 * e.offset * e.offset;
+  if (e.edge.along == Vec3d{} || std::abs(square - expected) > even * expected) return {};
+  const Vec3d out = 0.5 / e.offset * e.edge.to, aside = cross(e.edge.along, out);
+  return {normalized(out + aside), normalized(out - aside)};
+}
+
+double extentTowards(const PlacedElement& e, const Vec3d& direction, double spacing) {
+  if (!e.sharp()) return e.offset;
+  const double along = dot(e.edge.along, direction);
+  const double part = partAlong(along > 0 ? e.edge.ahead : e.edge.behind, spacing);
+  return std::max(e.offset,
+                  dot(e.edge.to, direction) + (e.edge.along == Vec3d{} ? 0 : part * std::abs(along)));
 }
 
 double extentOf(const PlacedElement& e, double spacing) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contact of two surface elements, and of an element with the face of an obstacle.
 #pragma once
+#include <array>
 #include <optional>
 
 #include "core/geometry/basic/signed_distance.hpp"
@@ -45,6 +46,13 @@ bool sharpTowards(const PlacedElement& e, const Vec3d& direction);
 
 /// Returns true if the element of an edge describes the edge at s (m) along it, from its nearest point.
 bool onPart(const SharpEdge& edge, double s, double spacing);
+
+/// Returns the normals of the faces on both sides of a right-angled edge, if the particle has the same
+/// distance from both; else zeros.
+std::array<Vec3d, 2> facesBeside(const PlacedElement& e);
+
+/// Returns the extent (m) of a round element from its particle in a direction (unit vector).
+double extentTowards(const PlacedElement& e, const Vec3d& direction, double spacing);
 
 /// Returns the largest distance (m) of the surface that a round element describes from its particle.
 double extentOf(const PlacedElement& e, double spacing);

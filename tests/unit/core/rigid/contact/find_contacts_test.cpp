@@ -240,6 +240,31 @@ TEST(FindContacts, ACornerSlidesOnAFaceFromItsEdgeWithoutOverlap) {
   }
 }
 
+TEST(FindContacts, FacesReachTheirCornersAtAnyPlaceInTheGrid) {
+  // A cube stands on its corner near the corner of a face, and leans outwards. Its particles are up to 2.3
+  // spacings away from those of the face.
+  const Vec3d diagonal = normalized(Vec3d{1, 1, 1}), lean{0.5, 0, std::sqrt(0.75)};
+  const Vec3d axis = normalized(cross(diagonal, lean));
+  for (int place = 0; place < 24; place++) {
+    RigidRig rig(spacing, 3, 2e-3);
+    rig.setFriction(0, 0);
+    const Vec3d top{place * (2 * spacing / 24), 0.02, 1};
+    rig.pieces.push_back(pieceOf(BoxDistance({0.6, 0.6, 0.4}), spacing, 1e9));
+    rig.pieces[0].orientation = rotationBy({0, 0, 0.25 * std::numbers::pi});
+    rig.pieces[0].centre = top - Vec3d{0.3 * std::sqrt(2.0), 0, 0.2};
+    rig.pieces.push_back(pieceOf(BoxDistance({0.3, 0.3, 0.3}), spacing, 1000));
+    RigPiece& cube = rig.pieces[1];
+    cube.orientation = rotationBy(std::acos(dot(diagonal, lean)) * axis);
+    cube.centre = top + Vec3d{-0.3 * spacing, 0, 0} + 0.15 * std::sqrt(3.0) * lean;
+    for (int n = 0; n < 20; n++) {
+      rig.pieces[0].velocity = -rig.settings.step * rig.gravity;
+      rig.step();
+    }
+    const Vec3d corner = cube.centre + rotated(cube.orientation, {-0.15, -0.15, -0.15});
+    EXPECT_NEAR(corner.z, top.z, 0.02 * spacing) << place;
+  }
+}
+
 TEST(FindContacts, ImpulsesAreFirstGuessesOfTheNextStep) {
   RigidRig rig = twoCubes();
   for (int n = 0; n < 20; n++) rig.step();
