@@ -213,6 +213,45 @@ TEST(RigidContact, ReboundFollowsTheRestitution) {
     }
 }
 
+/// A row of five balls of which the last ones touch, and the first `moving` ones hit them.
+RigidRig cradle(int moving, double restitution) {
+  RigidRig rig(spacing, 4, 1e-3);
+  rig.gravity = {};
+  rig.settings.impactSpeed = 0.02;
+  rig.setFriction(0, restitution);
+  for (int k = 0; k < 5; k++) {
+    rig.pieces.push_back(pieceOf(SphereDistance(0.25), spacing, 1000));
+    RigPiece& ball = rig.pieces.back();
+    ball.centre = {0.5 * k - (k < moving ? 0.0505 : 0), 0, 1};
+    if (k < moving) ball.velocity.x = 1;
+  }
+  return rig;
+}
+
+TEST(RigidContact, OnlyTheLastBallsOfACradleMoveOn) {
+  for (const int moving : {1, 2, 3}) {
+    RigidRig rig = cradle(moving, 1);
+    const double energy = rig.kineticEnergy();
+    for (int n = 0; n < 200; n++) {
+      rig.step();
+      EXPECT_LT(rig.kineticEnergy(), 1.0001 * energy);
+    }
+    for (int k = 0; k < 5; k++)
+      EXPECT_NEAR(rig.pieces[static_cast<std::size_t>(k)].velocity.x, k >= 5 - moving, 1e-3) << moving;
+  }
+}
+
+TEST(RigidContact, EachBallOfACradleLosesEnergyByItsRestitution) {
+  // Impacts one after the other: the last ball has ((1 + e) / 2)^4 of the velocity.
+  const double e = 0.9;
+  RigidRig rig = cradle(1, e);
+  for (int n = 0; n < 100; n++) rig.step();
+  double momentum = 0;
+  for (const RigPiece& p : rig.pieces) momentum += p.velocity.x;
+  EXPECT_NEAR(momentum, 1, 1e-6);
+  EXPECT_NEAR(rig.pieces.back().velocity.x, std::pow(0.5 * (1 + e), 4), 0.005);
+}
+
 TEST(RigidContact, AStackOfTenBoxesRests) {
   RigidRig rig(spacing, 6, 2e-3);
   rig.setFriction(0.5, 0);
