@@ -412,8 +412,9 @@ Velocities solveVelocities(const ContactIsland& island, const ContactSettings& s
   return v;
 }
 
-/// Returns true if the impulses gain energy beyond the error of the solution.
+/// Returns true if the impulses gain energy, beyond a small part of what the tolerance allows.
 bool gainsEnergy(const Velocities& v) {
+  constexpr double allowed = 1e-3;
   double gain = 0, error = 0;
   for (std::size_t i = 0; i < v.problem.contacts.size(); i++) {
     const Contact& c = v.problem.contacts[i];
@@ -422,7 +423,7 @@ bool gainsEnergy(const Velocities& v) {
     error += length(j) * v.solve.tolerance;
   }
   for (const Rolling& r : v.problem.rolling) gain += dot(r.impulse, r.offset + 0.5 * changeOf(v.problem, r));
-  return gain > error;
+  return gain > allowed * error;
 }
 
 /// Impacts follow each other where this gains no energy: they do so without friction, which may then divert
