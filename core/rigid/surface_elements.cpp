@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/neighbours/rows_around.hpp"
+#include "core/rigid/contact/edge_code.hpp"
 #include "core/rigid/contact/surface_element.hpp"
 
 namespace thaw {
@@ -64,7 +65,7 @@ void elementsOfShapes(const Scene& scene, std::span<const std::shared_ptr<const 
 }
 
 void turnElement(Continuum& p, std::size_t i, const Quat& rotation) {
-  p.faceNormal[i] = single(rotated(rotation, wide(p.faceNormal[i])));
+  setElement(p, i, turned({p.faceNormal[i], p.faceOffset[i], p.faceRadius[i]}, rotation));
 }
 
 void renewElements(const RigidView& v) {

@@ -84,6 +84,77 @@ TEST(RigidContact, ABoxTopplesBeyondTheAngleOfItsEdge) {
   }
 }
 
+/// Makes a piece practically immovable.
+void holdPiece(RigPiece& p) {
+  p.mass = 1e20;
+  p.inertia = {1e20, 1e20, 1e20};
+}
+
+TEST(RigidContact, ABoxOnAPieceTopplesBeyondTheAngleOfItsEdge) {
+  const double width = 0.4, height = 1.2, edge = std::atan(width / height);
+  for (const double angle : {0.96 * edge, 1.04 * edge})
+    for (const double turn : {0.0, 0.5}) {
+      RigidRig rig(spacing, 3, 2e-3);
+      rig.setFriction(1, 0);
+      rig.gravity = along(angle);
+      rig.pieces.push_back(pieceOf(BoxDistance({2, 2, 0.4}), spacing, 1000));
+      rig.pieces[0].centre.z = 0.2;
+      rig.pieces[0].orientation = rotationBy({0, 0, turn});
+      holdPiece(rig.pieces[0]);
+      rig.pieces.push_back(pieceOf(BoxDistance({width, width, height}), spacing, 1000));
+      rig.pieces[1].centre = {0.03, 0.02, 0.4 + 0.5 * height};
+      for (int n = 0; n < 800; n++) {
+        rig.pieces[0].velocity = -rig.settings.step * rig.gravity;
+        rig.step();
+      }
+      const bool stands = rig.pieces[1].centre.z > 0.4 + 0.99 * 0.5 * height;
+      EXPECT_EQ(stands, angle < edge) << angle << " " << turn;
+    }
+}
+
+TEST(RigidContact, ATowerStandsUpToItsLargestOverhang) {
+  const int boxes = 4;
+  const double width = 0.6, height = 0.3;
+  for (const double part : {0.95, 1.05}) {
+    RigidRig rig(spacing, 6, 2e-3);
+    rig.setFriction(0.8, 0);
+    double x = 0;
+    for (int above = boxes - 1; above >= 0; above--) {
+      rig.pieces.push_back(pieceOf(BoxDistance({width, width, height}), spacing, 1000));
+      rig.pieces.back().centre = {x, 0, height * (boxes - above - 0.5)};
+      if (above > 0) x += part * 0.5 * width / above;
+    }
+    for (int n = 0; n < 800; n++) rig.step();
+    const bool stands = rig.pieces.back().centre.z > height * (boxes - 0.5) - 0.1 * spacing;
+    EXPECT_EQ(stands, part < 1) << part;
+  }
+}
+
+TEST(RigidContact, CrossedBarsTouchAtTheirEdges) {
+  const double width = 0.4, across = 0.5 * width * std::sqrt(2.0);
+  for (const double shift : {0.0, 0.02, 0.05, 0.13})
+    for (const double angle : {0.2, 0.8, 1.5}) {
+      RigidRig rig(spacing, 4, 1e-3);
+      rig.setFriction(0.5, 0);
+      rig.gravity = {0, 0, -1};
+      for (int k = 0; k < 2; k++) {
+        RigPiece bar = pieceOf(BoxDistance({2, width, width}), spacing, 1000);
+        bar.orientation = rotationBy({0, 0, angle * k}) * rotationBy({0.25 * 3.14159265358979, 0, 0});
+        bar.centre = {shift * k, 0.7 * shift * k, 1 + (2 * across + 0.02 * spacing) * k};
+        rig.pieces.push_back(bar);
+      }
+      holdPiece(rig.pieces[0]);
+      double lowest = 1;
+      for (int n = 0; n < 100; n++) {
+        rig.pieces[0].velocity = -rig.settings.step * rig.gravity;
+        rig.step();
+        lowest = std::min(lowest, rig.pieces[1].centre.z - 1 - 2 * across);
+      }
+      // a bar slides off slowly
+      EXPECT_NEAR(lowest, 0, 0.02 * spacing) << shift << " " << angle;
+    }
+}
+
 TEST(RigidContact, RollingFrictionSlowsOrHoldsABall) {
   const double radius = 0.3, angle = 0.05;
   for (const double arm : {0.3 * radius * std::tan(angle), 2 * radius * std::tan(angle)}) {
@@ -142,6 +213,45 @@ TEST(RigidContact, ReboundFollowsTheRestitution) {
     }
 }
 
+/// A row of five balls of which the last ones touch, and the first `moving` ones hit them.
+RigidRig cradle(int moving, double restitution) {
+  RigidRig rig(spacing, 4, 1e-3);
+  rig.gravity = {};
+  rig.settings.impactSpeed = 0.02;
+  rig.setFriction(0, restitution);
+  for (int k = 0; k < 5; k++) {
+    rig.pieces.push_back(pieceOf(SphereDistance(0.25), spacing, 1000));
+    RigPiece& ball = rig.pieces.back();
+    ball.centre = {0.5 * k - (k < moving ? 0.0505 : 0), 0, 1};
+    if (k < moving) ball.velocity.x = 1;
+  }
+  return rig;
+}
+
+TEST(RigidContact, OnlyTheLastBallsOfACradleMoveOn) {
+  for (const int moving : {1, 2, 3}) {
+    RigidRig rig = cradle(moving, 1);
+    const double energy = rig.kineticEnergy();
+    for (int n = 0; n < 200; n++) {
+      rig.step();
+      EXPECT_LT(rig.kineticEnergy(), 1.0001 * energy);
+    }
+    for (int k = 0; k < 5; k++)
+      EXPECT_NEAR(rig.pieces[static_cast<std::size_t>(k)].velocity.x, k >= 5 - moving, 1e-3) << moving;
+  }
+}
+
+TEST(RigidContact, EachBallOfACradleLosesEnergyByItsRestitution) {
+  // Impacts one after the other: the last ball has ((1 + e) / 2)^4 of the velocity.
+  const double e = 0.9;
+  RigidRig rig = cradle(1, e);
+  for (int n = 0; n < 100; n++) rig.step();
+  double momentum = 0;
+  for (const RigPiece& p : rig.pieces) momentum += p.velocity.x;
+  EXPECT_NEAR(momentum, 1, 1e-6);
+  EXPECT_NEAR(rig.pieces.back().velocity.x, std::pow(0.5 * (1 + e), 4), 0.005);
+}
+
 TEST(RigidContact, AStackOfTenBoxesRests) {
   RigidRig rig(spacing, 6, 2e-3);
   rig.setFriction(0.5, 0);
@@ -168,7 +278,7 @@ TEST(RigidContact, TheEnergyOfAPileOnlyFalls) {
   for (int i = 0; i < 16; i++) {
     RigPiece p = i % 2 ? pieceOf(BoxDistance({0.6, 0.4, 0.5}), spacing, 1000)
                        : pieceOf(SphereDistance(0.3), spacing, 1000);
-    p.centre = {i & 1 ? -0.37 : 0.37, i & 2 ? -0.37 : 0.37, 0.5 + 0.8 * (i / 4)};
+    p.centre = {i & 1 ? -0.37 : 0.37, i & 2 ? -0.37 : 0.37, 0.5 + 0.9 * (i / 4)};
     p.orientation = rotationBy({0.3 * i, 0.7 * i, 0.1 * i});
     rig.pieces.push_back(p);
   }

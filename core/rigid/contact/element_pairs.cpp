@@ -4,10 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/rigid/contact/edge_code.hpp"
+
 namespace thaw {
 namespace {
 
-constexpr double facing = 0.7;  // cosine between the normals of two planes that touch
+constexpr double facing = 0.7;          // cosine between the normals of two planes that touch
+constexpr double cone = 0.9;            // edges replace spheres slightly beyond the normals of their faces
+constexpr double edgeReach = 0.6;       // spacings, along an edge from the point nearest to the particle
+constexpr double leastCrossing = 0.05;  // sine of the angle between edges that cross
+constexpr double deepestEdge = 0.5;     // spacings, largest overlap of an edge; deeper is beside another face
+constexpr double shallow = 0.03;        // spacings; edges that overlap by more than this and the distance to
+                                        // an end touch a face there
 
 /// Returns true if the point of the element in this direction lies on its part of the surface.
 bool reaches(const PlacedElement& e, const Vec3d& direction, double spacing) {
@@ -17,10 +25,15 @@ bool reaches(const PlacedElement& e, const Vec3d& direction, double spacing) {
   return e.plane() || e.radius * length(direction - cosine * e.normal) <= sphereReach * spacing;
 }
 
-/// Distance (m) of the surface from the particle along a direction.
-double extentAlong(const PlacedElement& e, const Vec3d& direction) {
-  if (e.round() || e.plane()) return e.offset;
-  return e.radius + (e.offset - e.radius) * dot(e.normal, direction);
+/// Point (m) of the surface that is outermost in a direction, from the particle; edges are round.
+Vec3d roundPoint(const PlacedElement& e, const Vec3d& direction) {
+  if (e.round() || e.plane()) return e.offset * direction;
+  return (e.offset - e.radius) * e.normal + e.radius * direction;
+}
+
+/// The same with sharp edges.
+Vec3d outerPoint(const PlacedElement& e, const Vec3d& direction) {
+  return sharpTowards(e, direction) ? e.edge.to : roundPoint(e, direction);
 }
 
 std::optional<Vec3d> commonNormal(const PlacedElement& a, const PlacedElement& b) {
@@ -42,18 +55,68 @@ double asideOf(const PlacedElement& plane, const Vec3d& point) {
   return length(to - dot(to, plane.normal) * plane.normal);
 }
 
+/// Room (m) along an edge from its nearest point to the end of the part that the element describes.
+double partAlong(double end, double spacing) { return end < HUGE_VAL ? end : edgeReach * spacing; }
+
+/// Returns the contact of two sharp edges that cross.
+std::optional<ElementContact> crossingOf(const PlacedElement& a, const PlacedElement& b, double spacing) {
+  const SharpEdge &ea = a.edge, &eb = b.edge;
+  const Vec3d across = cross(ea.along, eb.along);
+  const double sine = length(across);
+  if (!(sine > leastCrossing)) return {};
+  const Vec3d n = across / (dot(ea.to, across) < 0 ? sine : -sine);
+  if (!sharpTowards(a, -n) || !sharpTowards(b, n)) return {};
+  const Vec3d pa = a.position + ea.to, pb = b.position + eb.to, between = pa - pb;
+  const double k = dot(across, n), sa = -dot(cross(between, eb.along), n) / k,
+               sb = -dot(cross(between, ea.along), n) / k;
+  if (!onPart(ea, sa, spacing) || !onPart(eb, sb, spacing)) return {};
+  const double gap = dot(between, n);
+  const double room = std::min({ea.ahead - sa, ea.behind + sa, eb.ahead - sb, eb.behind + sb});
+  if (-gap > std::min(deepestEdge * spacing, std::max(0.0, room) + shallow * spacing)) return {};
+  return ElementContact{pb + sb * eb.along + 0.5 * gap * n, n, gap, std::hypot(sa, sb), true};
+}
+
+/// Returns the contact of a sharp edge or corner with a sphere.
+std::optional<ElementContact> edgeOnSphere(const PlacedElement& a, const PlacedElement& b, double spacing) {
+  const Vec3d centre = b.centre(), start = a.position + a.edge.to;
+  const double s = dot(centre - start, a.edge.along);
+  if (!onPart(a.edge, s, spacing)) return {};
+  const Vec3d point = start + s * a.edge.along, line = point - centre;
+  const double size = length(line);
+  if (!(size > 0)) return {};
+  const Vec3d n = line / size;
+  if (!sharpTowards(a, -n) || !reaches(b, n, spacing)) return {};
+  const double gap = size - b.radius;
+  return ElementContact{point - 0.5 * gap * n, n, gap, std::abs(s)};
+}
+
+/// Returns the contact of an edge or corner with an element that is no plane; nothing if spheres touch.
+std::optional<ElementContact> contactOfEdge(const PlacedElement& a, const PlacedElement& b, double spacing) {
+  if (a.sharp() && b.sharp()) return crossingOf(a, b, spacing);
+  if (a.sharp()) return edgeOnSphere(a, b, spacing);
+  std::optional<ElementContact> c = edgeOnSphere(b, a, spacing);
+  if (c) c->normal = -c->normal;
+  return c;
+}
+
 }  // namespace
 
 std::optional<ElementContact> contactOf(const PlacedElement& a, const PlacedElement& b, double spacing) {
+  if ((a.sharp() || b.sharp()) && !a.plane() && !b.plane())
+    if (const std::optional<ElementContact> c = contactOfEdge(a, b, spacing)) return c;
   const std::optional<Vec3d> n = commonNormal(a, b);
   if (!n || !reaches(a, -*n, spacing) || !reaches(b, *n, spacing)) return {};
   const Vec3d to = a.position - b.position;
-  const double height = dot(to, *n), sa = extentAlong(a, -*n), sb = extentAlong(b, *n);
+  const double height = dot(to, *n);
   if (!(height > -spacing)) return {};  // the two are back to back
-  ElementContact c{{}, *n, height - sa - sb, length(to - height * *n)};
-  // surface points of spheres; on planes the point opposite
-  const Vec3d pa = a.plane() ? a.position - sa * *n : a.centre() - a.radius * *n;
-  const Vec3d pb = b.plane() ? b.position + sb * *n : b.centre() + b.radius * *n;
+  const bool planes = a.plane() || b.plane();
+  const Vec3d outerA = planes ? outerPoint(a, -*n) : roundPoint(a, -*n),
+              outerB = planes ? outerPoint(b, *n) : roundPoint(b, *n);
+  ElementContact c{{}, *n, height + dot(outerA - outerB, *n), length(to - height * *n)};
+  const bool edge = planes && (sharpTowards(a, -*n) || sharpTowards(b, *n));
+  if (edge && -c.gap > deepestEdge * spacing) return {};
+  // surface points of spheres and edges; on planes the point opposite
+  const Vec3d pa = a.position + outerA, pb = b.position + outerB;
   const Vec3d middle = a.plane() == b.plane() ? 0.5 * (pa + pb) : a.plane() ? pb : pa;
   const double between = a.plane() == b.plane() ? 0 : (a.plane() ? 0.5 : -0.5) * c.gap;
   c.point = middle + between * *n;
@@ -63,19 +126,52 @@ std::optional<ElementContact> contactOf(const PlacedElement& a, const PlacedElem
   return c.aside <= planeReach * spacing ? std::optional(c) : std::nullopt;
 }
 
-PlacedElement placedElement(const SurfaceElement& e, const Vec3d& position, const Quat& orientation) {
-  const Vec3d n = rotated(orientation, wide(e.normal));
+bool onPart(const SharpEdge& e, double s, double spacing) {
+  return s <= partAlong(e.ahead, spacing) && s >= -partAlong(e.behind, spacing);
+}
+
+PlacedElement placedElement(const SurfaceElement& e, const Vec3d& position, const Quat& orientation,
+                            double spacing) {
   const double offset = e.offset;
-  if (e.radius > e.offset) return {position, n, offset, static_cast<double>(e.radius), {}};
-  return {position, {}, offset, offset, offset * n};
+  if (e.radius > e.offset)
+    return {position, rotated(orientation, wide(e.normal)), offset, static_cast<double>(e.radius), {}};
+  PlacedElement placed{position, {}, offset, offset, edgeOf(e, spacing)};
+  placed.edge.to = rotated(orientation, placed.edge.to);
+  placed.edge.along = rotated(orientation, placed.edge.along);
+  return placed;
+}
+
+bool sharpTowards(const PlacedElement& e, const Vec3d& direction) {
+  return e.sharp() && dot(e.edge.to, direction) > cone * e.offset;
+}
+
+std::array<Vec3d, 2> facesBeside(const PlacedElement& e) {
+  constexpr double even = 1e-3;  // relative
+  const double square = dot(e.edge.to, e.edge.to), expected = 2 * e.offset * e.offset;
+  if (e.edge.along == Vec3d{} || std::abs(square - expected) > even * expected) return {};
+  const Vec3d out = 0.5 / e.offset * e.edge.to, aside = cross(e.edge.along, out);
+  return {normalized(out + aside), normalized(out - aside)};
+}
+
+double extentTowards(const PlacedElement& e, const Vec3d& direction, double spacing) {
+  if (!e.sharp()) return e.offset;
+  const double along = dot(e.edge.along, direction);
+  const double part = partAlong(along > 0 ? e.edge.ahead : e.edge.behind, spacing);
+  return std::max(e.offset,
+                  dot(e.edge.to, direction) + (e.edge.along == Vec3d{} ? 0 : part * std::abs(along)));
+}
+
+double extentOf(const PlacedElement& e, double spacing) {
+  if (!e.sharp()) return e.offset;
+  if (e.edge.along == Vec3d{}) return length(e.edge.to);
+  const double part = std::max(partAlong(e.edge.ahead, spacing), partAlong(e.edge.behind, spacing));
+  return std::sqrt(dot(e.edge.to, e.edge.to) + part * part);
 }
 
 std::optional<OutermostPoint> outermost(const PlacedElement& e, const Vec3d& direction, double spacing) {
-  // The edge replaces the sphere slightly beyond its cone of normals, where faces lie further out.
-  constexpr double cone = 0.9;
   const auto fixed = [](const Vec3d& x) { return OutermostPoint{x, x, false}; };
   if (e.round()) {
-    if (dot(e.corner, direction) > cone * e.offset) return fixed(e.position + e.corner);
+    if (sharpTowards(e, direction)) return fixed(e.position + e.edge.to);
     return OutermostPoint{e.position + e.offset * direction, e.position, false};
   }
   const double cosine = dot(e.normal, direction);

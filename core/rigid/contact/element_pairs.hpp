@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contact of two surface elements, and of an element with the face of an obstacle.
 #pragma once
+#include <array>
 #include <optional>
 
 #include "core/geometry/basic/signed_distance.hpp"
 #include "core/math/quat.hpp"
+#include "core/rigid/contact/sharp_edge.hpp"
 #include "core/rigid/contact/surface_element.hpp"
 
 namespace thaw {
@@ -14,27 +16,46 @@ struct PlacedElement {
   Vec3d position{};               ///< m, of the particle
   Vec3d normal{};                 ///< outward unit normal; zero: round
   double offset = 0, radius = 0;  ///< m
-  Vec3d corner{};                 ///< m, from the particle of a round element to its sharp edge; zero: none
+  SharpEdge edge{};               ///< a round element may have one, from its particle
 
   bool round() const { return normal == Vec3d{}; }
   bool plane() const { return !round() && radius > 1e30; }
+  bool sharp() const { return !(edge.to == Vec3d{}); }  ///< the element has an edge or a corner
   Vec3d centre() const { return position + (offset - radius) * normal; }  ///< requires: not a plane
 };
 
 struct ElementContact {
-  Vec3d point{};     ///< m
-  Vec3d normal{};    ///< unit vector towards the first element
-  double gap = 0;    ///< m
-  double aside = 0;  ///< m, distance along the surface: of the two particles, or of the point from the
-                     ///< particle of a plane
+  Vec3d point{};          ///< m
+  Vec3d normal{};         ///< unit vector towards the first element
+  double gap = 0;         ///< m
+  double aside = 0;       ///< m, distance along the surface: of the two particles, or of the point from the
+                          ///< particle of a plane
+  bool crossing = false;  ///< two sharp edges cross
 };
 
 /// Returns the contact of two elements whose surfaces face each other, if it lies on both. A plane gives the
-/// normal; two spheres touch on their line of centres.
+/// normal; two spheres touch on their line of centres, and two edges that cross on the line normal to both.
 std::optional<ElementContact> contactOf(const PlacedElement& a, const PlacedElement& b, double spacing);
 
 /// Returns an element at a position, turned from the body frame to that of the scene.
-PlacedElement placedElement(const SurfaceElement& e, const Vec3d& position, const Quat& orientation);
+PlacedElement placedElement(const SurfaceElement& e, const Vec3d& position, const Quat& orientation,
+                            double spacing);
+
+/// Returns true if the edge or corner of an element is its outermost point in a direction (unit vector).
+bool sharpTowards(const PlacedElement& e, const Vec3d& direction);
+
+/// Returns true if the element of an edge describes the edge at s (m) along it, from its nearest point.
+bool onPart(const SharpEdge& edge, double s, double spacing);
+
+/// Returns the normals of the faces on both sides of a right-angled edge, if the particle has the same
+/// distance from both; else zeros.
+std::array<Vec3d, 2> facesBeside(const PlacedElement& e);
+
+/// Returns the extent (m) of a round element from its particle in a direction (unit vector).
+double extentTowards(const PlacedElement& e, const Vec3d& direction, double spacing);
+
+/// Returns the largest distance (m) of the surface that a round element describes from its particle.
+double extentOf(const PlacedElement& e, double spacing);
 
 struct OutermostPoint {
   Vec3d point{};   ///< m

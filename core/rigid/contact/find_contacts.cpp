@@ -17,8 +17,13 @@ namespace {
 
 constexpr double nearGap = 0.03;   // spacings; smaller gaps are contacts at any velocity
 constexpr double faceGap = 0.03;   // spacings; faces count before edges that are not this much closer
-constexpr double flatEdge = 0.3;   // spacings; faces are plane so far beyond their outermost particles, have
-constexpr double roundEdge = 0.5;  // a chamfer up to here, and are round further out, as their edges are
+constexpr double flatEdge = 0.3;   // spacings; faces with round edges are plane so far beyond their outermost
+constexpr double roundEdge = 0.5;  // particles, have a chamfer up to here, and are round further out
+constexpr double overEdge = 0.02;  // spacings; contacts so far beyond a sharp edge are still on its face
+constexpr double onFace = 0.1;     // spacings, largest distance of the edge of a face from its plane
+constexpr double besideEdge = 1.6;     // spacings; particles beside an edge describe their faces so far
+constexpr double flushOverlap = 0.15;  // spacings, largest overlap of aligned edges with a face
+constexpr double onePoint = 0.5;   // spacings; crossings of edges that are nearer to each other are the same
 constexpr double lookAhead = 1.5;  // steps; motions change within the step
 
 bool isAsleep(const ContactSearch& s, std::size_t i) { return s.pieces.asleep[s.particles.pieceRow[i]] != 0; }
@@ -32,7 +37,9 @@ bool mayClose(const ContactSearch& s, std::span<const PieceMotion> motion, const
 /// A surface particle, with what each comparison with it reads.
 struct SurfaceParticle {
   PlacedElement element;
-  Vec3d centre;  ///< m, of the sphere
+  Vec3d centre;                ///< m, of the sphere
+  double size;                 ///< m, largest distance of the surface from the centre; infinite: plane
+  std::array<Vec3d, 2> faces;  ///< normals of the faces beside an edge
   std::uint64_t piece;
   std::uint32_t row;
   std::uint8_t bend;  ///< result of bend()
@@ -51,8 +58,10 @@ struct SurfaceCells {
 std::uint8_t bend(const PlacedElement& e) { return e.round() ? 2 : e.plane() ? 0 : 1; }
 
 SurfaceParticle surfaceParticle(const ContactSearch& s, std::uint32_t i) {
-  const PlacedElement e = placedElement(s.particles, s.pieces, i);
-  return {e, e.plane() ? e.position : e.centre(), s.particles.piece[i], i, bend(e), isAsleep(s, i)};
+  const PlacedElement e = placedElement(s.particles, s.pieces, i, s.scene.spacing);
+  const double size = e.round() ? extentOf(e, s.scene.spacing) : e.radius;
+  const Vec3d centre = e.plane() ? e.position : e.centre();
+  return {e, centre, size, facesBeside(e), s.particles.piece[i], i, bend(e), isAsleep(s, i)};
 }
 
 SurfaceCells surfaceCells(const ContactSearch& s) {
@@ -135,9 +144,11 @@ FoundContact startOf(const Search& s, std::uint32_t i, const ElementContact& e) 
   return f;
 }
 
-/// A particle that another one may touch.
+/// A particle that another one may touch, or a face beside its edge.
 struct Candidate {
   const SurfaceParticle* particle;
+  std::uint8_t bend;  ///< result of bend(); 0: a face
+  Vec3d normal;       ///< the one of a face
   std::optional<ElementContact> contact;
   double beyond = 0;      ///< m, distance of the point of contact from the face that the element belongs to
   std::uint32_t bin = 0;  ///< directionBin of the normal of the contact
@@ -191,23 +202,47 @@ std::vector<double> rimSpeeds(const ContactSearch& in, std::span<const PieceMoti
   return speed;
 }
 
-/// Returns true if a contact of two particles may close within the step, whatever its point and its normal.
-/// Bevels make gaps smaller by less than a factor of 1.5, but where the radii are small.
-bool isNear(const Search& s, const SurfaceParticle& a, const SurfaceParticle& b) {
+/// Largest gap (m) at which a contact of two particles may close within the step, whatever its point and its
+/// normal. Bevels make gaps smaller by less than a factor of 1.5, but where the radii are small.
+double gapLimit(const Search& s, const SurfaceParticle& a, const SurfaceParticle& b) {
   constexpr double most = 1.5, smallRadii = 0.8;  // 1, spacings
   const double spacing = s.in.scene.spacing;
   const std::uint32_t ra = s.in.particles.pieceRow[a.row], rb = s.in.particles.pieceRow[b.row];
   const double between = length(s.motion[ra].velocity - s.motion[rb].velocity);
   const double speed = between + s.rimSpeed[ra] + s.rimSpeed[rb];
-  double gap = most * (nearGap * spacing + lookAhead * s.in.step * speed);
+  const double gap = most * (nearGap * spacing + lookAhead * s.in.step * speed);
   const bool planes = a.bend == 0 && b.bend == 0;
-  if (!planes && a.element.radius + b.element.offset < smallRadii * spacing) gap = std::max(gap, spacing);
+  const bool small = !planes && a.element.radius + b.element.offset < smallRadii * spacing;
+  return small ? std::max(gap, spacing) : gap;
+}
+
+/// Distance (m) of the surface of a round or curved element from its centre in a direction.
+double extentTowards(const SurfaceParticle& a, const Vec3d& direction, double spacing) {
+  return a.bend == 2 ? extentTowards(a.element, direction, spacing) : a.size;
+}
+
+/// Returns true if a particle may touch a face beside the edge of another one within the step.
+bool isNearFaces(const SurfaceParticle& a, const SurfaceParticle& b, double gap, double spacing) {
+  const Vec3d to = a.centre - b.element.position;
+  return std::any_of(b.faces.begin(), b.faces.end(), [&](const Vec3d& n) {
+    return !(n == Vec3d{}) && dot(to, n) - b.element.offset - extentTowards(a, -n, spacing) < gap;
+  });
+}
+
+/// Returns true if a contact of two particles may close within the step.
+bool isNear(const Search& s, const SurfaceParticle& a, const SurfaceParticle& b) {
+  const double spacing = s.in.scene.spacing, gap = gapLimit(s, a, b);
   const Vec3d to = a.centre - b.centre;
-  if (b.bend == 0 && !planes) return dot(to, b.element.normal) - b.element.offset - a.element.radius < gap;
-  const double aside = planes ? elementReach * spacing : 0;
-  const double reach = planes ? std::max(a.element.offset + b.element.offset, spacing)
-                              : a.element.radius + b.element.radius;
-  return dot(to, to) < (reach + gap) * (reach + gap) + aside * aside;
+  if (a.bend == 0 && b.bend == 0) {
+    const double reach = std::max(a.element.offset + b.element.offset, spacing) + gap;
+    return dot(to, to) < reach * reach + elementReach * spacing * elementReach * spacing;
+  }
+  if (b.bend == 0) return dot(to, b.element.normal) - b.element.offset - a.size < gap;
+  if (b.bend == 2 && isNearFaces(a, b, gap, spacing)) return true;
+  const double size = length(to);
+  if (!(size > 0)) return true;
+  const Vec3d towards = to / size;
+  return size - extentTowards(a, -towards, spacing) - extentTowards(b, towards, spacing) < gap;
 }
 
 /// Vector (m) along a face to a point of contact from the nearest of its outermost particles, which are
@@ -221,20 +256,69 @@ Vec3d beyondFace(const Search& s, const Candidate& plane, std::span<const Candid
   const double most = elementReach * s.in.scene.spacing, aside = plane.contact->aside;
   Vec3d beyond = aside > most ? (1 - most / aside) * along(plane.element().position) : Vec3d{};
   for (const Candidate& c : candidates) {
-    if (c.particle->bend < 2 || c.particle->piece != plane.particle->piece) continue;
+    if (c.bend < 2 || c.particle->piece != plane.particle->piece) continue;
     const Vec3d to = along(c.element().position);
     if (dot(to, to) < dot(beyond, beyond)) beyond = to;
   }
   return beyond;
 }
 
-/// Bevels the edges of a face. From flatEdge on, the gap of a particle beyond the face grows, up to that of
-/// two spheres at roundEdge. The normal is the gradient of the gap, so that sliding changes no overlap that
-/// the normal velocity does not show. From roundEdge on, drops the contact: edges touch there instead.
-void bevelEdges(const Search& s, const PlacedElement& a, std::vector<Candidate>& candidates) {
+/// Place of a point of contact within the sharp edges of a face.
+struct WithinEdges {
+  bool sharp = false;        ///< no round edge is nearer than a sharp one
+  double inside = HUGE_VAL;  ///< m, distance from the nearest sharp edge; negative: beyond it
+  Vec3d outward{};           ///< unit vector along the face to that edge
+};
+
+WithinEdges withinEdges(const Search& s, const Candidate& plane, std::span<const Candidate> candidates) {
+  const PlacedElement& face = plane.element();
+  const double spacing = s.in.scene.spacing;
+  double sharp = HUGE_VAL, round = HUGE_VAL;  // squares of distances along the face
+  WithinEdges w;
+  for (const Candidate& c : candidates) {
+    if (c.bend < 2 || c.particle->piece != plane.particle->piece) continue;
+    const PlacedElement& e = c.element();
+    const Vec3d edge = e.position + e.edge.to, to = plane.contact->point - edge;
+    const Vec3d onIt = to - dot(to, plane.normal) * plane.normal;
+    if (!e.sharp()) round = std::min(round, dot(onIt, onIt));
+    if (!e.sharp() || std::abs(dot(edge - face.position, plane.normal) - face.offset) > onFace * spacing)
+      continue;
+    const Vec3d out = e.edge.to - dot(e.edge.to, plane.normal) * plane.normal;
+    const double size = length(out);
+    if (!(size > onFace * spacing) || !onPart(e.edge, dot(to, e.edge.along), spacing)) continue;
+    sharp = std::min(sharp, dot(onIt, onIt));
+    const double inside = -dot(onIt, out) / size;
+    if (inside < w.inside) w.inside = inside, w.outward = out / size;
+  }
+  w.sharp = sharp <= round && sharp < HUGE_VAL;
+  return w;
+}
+
+/// Returns true if an element touches a face within its sharp edges, and not another face beyond one of them.
+bool touchesFace(const PlacedElement& a, const WithinEdges& at, double gap, double spacing) {
+  if (at.inside < -overEdge * spacing) return false;
+  if (!a.sharp()) return true;
+  // Aligned edges are flush with an edge of the face, at any overlap that occurs in contacts.
+  const double most = dot(a.edge.to, at.outward) < 0 ? faceGap : flushOverlap;
+  return -gap < at.inside + most * spacing;
+}
+
+/// Ends faces at their edges. Faces with round edges have bevels: from flatEdge on, the gap of a particle
+/// beyond the face grows, up to that of two spheres at roundEdge. The normal is the gradient of the gap, so
+/// that sliding changes no overlap that the normal velocity does not show. From roundEdge on, drops the
+/// contact: edges touch there instead.
+void endFaces(const Search& s, const PlacedElement& a, std::vector<Candidate>& candidates) {
   const double flat = flatEdge * s.in.scene.spacing;
   for (Candidate& c : candidates) {
-    if (c.particle->bend > 0 || !c.contact) continue;
+    if (c.bend > 0 || !c.contact) continue;
+    if (const WithinEdges at = withinEdges(s, c, candidates); at.sharp) {
+      if (!touchesFace(a, at, c.contact->gap, s.in.scene.spacing)) c.contact.reset();
+      continue;
+    }
+    if (c.particle->bend == 2) {  // far along the edge that the face is beside
+      c.contact.reset();
+      continue;
+    }
     const Vec3d beyond = beyondFace(s, c, candidates);
     c.beyond = length(beyond);
     if (!(c.beyond > flat)) continue;
@@ -256,12 +340,18 @@ bool replaces(const Search& s, const PlacedElement& a, const Candidate& o, const
   if (!o.contact || &o == &c || o.particle->piece != c.particle->piece) return false;
   const auto id = [&](const Candidate& x) { return s.in.particles.id[x.particle->row]; };
   const double gap = o.contact->gap, other = c.contact->gap, even = faceGap * s.in.scene.spacing;
-  const bool edge = a.round() && c.particle->bend == 2;
-  if (edge != (a.round() && o.particle->bend == 2)) return edge ? gap < other + even : other >= gap + even;
+  const bool nearer = std::tuple(gap, id(o)) < std::tuple(other, id(c));
+  const bool edge = a.round() && c.bend == 2;
+  if (c.contact->crossing)
+    return o.contact->crossing && o.bin == c.bin && nearer &&
+           length(o.contact->point - c.contact->point) < onePoint * s.in.scene.spacing;
+  if (o.contact->crossing) return edge;
+  if (edge != (a.round() && o.bend == 2)) return edge ? gap < other + even : other >= gap + even;
   if (o.bin != c.bin) return false;
-  if (o.particle->bend == 0 && c.particle->bend == 0)
-    return std::tuple(o.beyond, o.contact->aside, id(o)) < std::tuple(c.beyond, c.contact->aside, id(c));
-  return std::tuple(gap, id(o)) < std::tuple(other, id(c));
+  if (o.bend == 0 && c.bend == 0)
+    return std::tuple(o.beyond, o.particle->bend, o.contact->aside, id(o)) <
+           std::tuple(c.beyond, c.particle->bend, c.contact->aside, id(c));
+  return nearer;
 }
 
 /// Returns true if the search from particle a lists its contact with b. The search from the more curved
@@ -272,11 +362,12 @@ bool lists(const SurfaceParticle& a, const SurfaceParticle& b) {
 
 /// Adds the contacts of a particle, one for each piece and direction.
 void addPairContacts(Search& s, const SurfaceParticle& a, std::vector<Candidate>& candidates) {
-  if (a.bend > 0) bevelEdges(s, a.element, candidates);
+  if (a.bend > 0) endFaces(s, a.element, candidates);
   for (Candidate& c : candidates)
     if (c.contact) c.bin = directionBin(c.contact->normal);
   for (const Candidate& c : candidates)
-    if (c.contact && lists(a, *c.particle) && pairMayClose(s, a.row, c.particle->row, *c.contact) &&
+    if (c.contact && (c.bend < a.bend || lists(a, *c.particle)) &&
+        pairMayClose(s, a.row, c.particle->row, *c.contact) &&
         std::none_of(candidates.begin(), candidates.end(),
                      [&](const Candidate& o) { return replaces(s, a.element, o, c); }))
       addPairContact(s, a.row, c);
@@ -298,15 +389,38 @@ bool anyAround(const Search& s, const SurfaceParticle& a, const SurfaceCells& t,
   return false;
 }
 
+/// Adds the faces beside an edge. Their own particles may be too far away near the corners of a face, and
+/// narrow faces have none.
+void addFacesBeside(const Search& s, const SurfaceParticle& a, const SurfaceParticle& b,
+                    std::vector<Candidate>& candidates) {
+  const double spacing = s.in.scene.spacing;
+  const Vec3d between = a.centre - b.element.position;
+  const double gap = gapLimit(s, a, b);
+  for (const Vec3d& n : b.faces) {
+    if (n == Vec3d{} || dot(between, n) - b.element.offset - extentTowards(a, -n, spacing) > gap) continue;
+    const PlacedElement face{b.element.position, n, b.element.offset, HUGE_VAL, {}};
+    const std::optional<ElementContact> c = contactOf(a.element, face, spacing);
+    if (!c) continue;
+    const SharpEdge& e = b.element.edge;
+    const Vec3d to = c->point - b.element.position - e.to, out = e.to - dot(e.to, n) * n;
+    const double inside = -dot(to, out) / length(out);
+    if (onPart(e, dot(to, e.along), spacing) && inside > -overEdge * spacing && inside < besideEdge * spacing)
+      candidates.push_back({&b, 0, n, c});
+  }
+}
+
 void findPairsOf(Search& s, const SurfaceParticle& a, const SurfaceCells& t, std::span<const RowSpan> ranges,
                  std::vector<Candidate>& candidates) {
-  if (!anyAround(s, a, t, ranges, [&](const SurfaceParticle& b) { return lists(a, b) && isNear(s, a, b); }))
+  if (!anyAround(s, a, t, ranges, [&](const SurfaceParticle& b) {
+        return (lists(a, b) || (a.bend > 0 && b.bend == 2)) && isNear(s, a, b);
+      }))
     return;
   candidates.clear();
   anyAround(s, a, t, ranges, [&](const SurfaceParticle& b) {
     std::optional<ElementContact> contact;
     if (a.bend >= b.bend) contact = contactOf(a.element, b.element, s.in.scene.spacing);
-    if (contact || b.bend == 2) candidates.push_back({&b, contact});
+    if (contact || b.bend == 2) candidates.push_back({&b, b.bend, b.element.normal, contact});
+    if (a.bend > 0 && b.bend == 2) addFacesBeside(s, a, b, candidates);
     return false;
   });
   addPairContacts(s, a, candidates);
@@ -352,8 +466,8 @@ double riseOf(const Search& s, std::uint32_t i, const Vec3d& anchor, const Vec3d
 void wallContacts(Search& s, std::uint32_t i, std::uint32_t k) {
   const Wall& wall = s.in.walls.list[k];
   const double spacing = s.in.scene.spacing;
-  const PlacedElement a = placedElement(s.in.particles, s.in.pieces, i);
-  const double reach = std::min(s.in.grid.support, std::max(a.offset, length(a.corner)) + spacing);
+  const PlacedElement a = placedElement(s.in.particles, s.in.pieces, i, spacing);
+  const double reach = std::min(s.in.grid.support, std::max(a.offset, length(a.edge.to)) + spacing);
   const Vec3d rest = toRest(wall.pose, a.position);
   if (!nearBounds(wall.bounds, rest, reach)) return;
   const Faces faces = facesWithin(*wall.shape, rest, reach, spacing);
@@ -397,9 +511,9 @@ void findObstacles(Search& s) {
 
 }  // namespace
 
-PlacedElement placedElement(const Continuum& p, const Pieces& pieces, std::size_t i) {
+PlacedElement placedElement(const Continuum& p, const Pieces& pieces, std::size_t i, double spacing) {
   return placedElement({p.faceNormal[i], p.faceOffset[i], p.faceRadius[i]}, p.position[i],
-                       pieces.orientation[p.pieceRow[i]]);
+                       pieces.orientation[p.pieceRow[i]], spacing);
 }
 
 std::vector<FoundContact> findContacts(const ContactSearch& search, std::span<const PieceMotion> motion,

@@ -43,7 +43,8 @@ inline bool hasSurface(const Continuum& p, std::size_t i) {
 }
 
 /// Returns the surface element of a particle in the scene. Requires: Continuum::pieceRow.
-PlacedElement placedElement(const Continuum& particles, const Pieces& pieces, std::size_t row);
+PlacedElement placedElement(const Continuum& particles, const Pieces& pieces, std::size_t row,
+                            double spacing);
 
 /// Returns the contacts that may close within the step, each on the rank that owns `particle`. motion:
 /// velocities of all rows of pieces, as the solver gets them. Patches of contact between two pieces are

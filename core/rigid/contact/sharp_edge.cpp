@@ -16,6 +16,8 @@ constexpr double farthest = 2;           // spacings
 constexpr double onSurface = 0.05;       // spacings, largest distance of an edge from the surface
 constexpr double widths[] = {0.4, 0.8};  // spacings, distances of samples
 
+constexpr double endsWithin = 1.65;  // spacings, distance up to which the ends of an edge are sought
+
 constexpr std::size_t mostFaces = 6;  // more are parts of a curved surface
 
 /// The plane n y = height through a face; y is relative to x.
@@ -58,12 +60,24 @@ Vec3d meet(const FacePlane& a, const FacePlane& b, const FacePlane& c) {
   return inverse(Mat3d{{a.n, b.n, c.n}}) * Vec3d{a.height, b.height, c.height};
 }
 
+/// Distance (m) from a point of an edge to its end in a direction; infinite if it is not near.
+double endAlong(const SignedDistance& shape, const Vec3d& edge, const Vec3d& direction, double spacing) {
+  double at = endsWithin * spacing;
+  // The distance from the surface is at most that from the end.
+  for (int k = 0; k < 4; k++) {
+    const double off = std::abs(shape.distance(edge + at * direction, nullptr));
+    if (off < onSurface * spacing) return k == 0 ? HUGE_VAL : at;
+    at = std::max(0.0, at - off);
+  }
+  return at;
+}
+
 }  // namespace
 
-Vec3d sharpEdge(const SignedDistance& shape, const Vec3d& x, double spacing) {
+SharpEdge sharpEdge(const SignedDistance& shape, const Vec3d& x, double spacing) {
   const std::vector<FacePlane> f = facesAround(shape, x, spacing);
   if (f.size() > mostFaces) return {};
-  Vec3d best{};
+  Vec3d best{}, along{};
   const auto nearer = [&](const Vec3d& y) { return best == Vec3d{} || dot(y, y) < dot(best, best); };
   const auto lies = [&](const Vec3d& y) {
     return length(y) < farthest * spacing && std::abs(shape.distance(x + y, nullptr)) < onSurface * spacing;
@@ -77,13 +91,17 @@ Vec3d sharpEdge(const SignedDistance& shape, const Vec3d& x, double spacing) {
         if (std::abs(dot(f[a].n, cross(f[b].n, f[c].n))) < leastAngle) continue;
         if (const Vec3d y = meet(f[a], f[b], f[c]); nearer(y) && lies(y)) best = y;
       }
-  if (!(best == Vec3d{})) return best;
+  if (!(best == Vec3d{})) return {best};
   for (std::size_t a = 0; a < f.size(); a++)
     for (std::size_t b = a + 1; b < f.size(); b++) {
       if (length(cross(f[a].n, f[b].n)) < leastAngle) continue;
-      if (const Vec3d y = meet(f[a], f[b]); nearer(y) && lies(y) && convex(f[a], f[b], y)) best = y;
+      const Vec3d y = meet(f[a], f[b]);
+      if (!nearer(y) || !lies(y) || !convex(f[a], f[b], y)) continue;
+      best = y;
+      along = normalized(cross(f[a].n, f[b].n));
     }
-  return best;
+  if (best == Vec3d{}) return {};
+  return {best, along, endAlong(shape, x + best, along, spacing), endAlong(shape, x + best, -along, spacing)};
 }
 
 }  // namespace thaw

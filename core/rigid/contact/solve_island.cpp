@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
+#include "core/rigid/contact/impact_sequence.hpp"
 #include "core/rigid/contact/rolling.hpp"
 
 namespace thaw {
@@ -37,18 +39,6 @@ struct Problem {
   std::vector<Row> rows;           ///< changes by the impulses
   std::vector<Row> before, other;  ///< the same by the impulses of the contacts of these names
 };
-
-Vec3d relativeVelocity(const RigidContact& c, std::span<const PieceMotion> pieces) {
-  const Vec3d u = velocityAtArm(pieces[c.a], c.armA);
-  return u - (c.b == noPiece ? c.otherVelocity : velocityAtArm(pieces[c.b], c.armB));
-}
-
-/// Least relative normal velocity of a contact after the step: gaps may close, and impacts rebound.
-double targetOf(const RigidContact& c, const ContactSettings& s, const Vec3d& u) {
-  const double approach = -dot(u, c.normal), room = std::max(0.0, c.gap) / s.step;
-  const bool impact = c.restitution > 0 && approach > room && approach > s.impactSpeed;
-  return impact ? c.restitution * approach : -room;
-}
 
 /// Adds an impulse on a row at a point.
 void push(const PieceMotion& piece, const Vec3d& arm, const Vec3d& impulse, Row& row) {
@@ -312,7 +302,7 @@ void setImpulse(Contact& c, const Vec3d& impulse) {
   c.impulse[2] = t[1];
 }
 
-Problem problemOf(const ContactIsland& island) {
+Problem problemOf(const ContactIsland& island, const ImpactTargets& targets) {
   Problem p{island.pieces, {}, {}, std::vector<Row>(island.pieces.size()), {}, {}};
   p.contacts.resize(island.contacts.size());
   for (std::size_t i = 0; i < p.contacts.size(); i++) {
@@ -325,7 +315,8 @@ Problem problemOf(const ContactIsland& island) {
     c.friction = from.friction;
     setAxes(c, from.normal);
     setResponse(p.pieces, c);
-    if (c.response[0][0] > 0) setImpulse(c, from.impulse);
+    const double hit = targets.spread ? targets.impulse[i] : 0;
+    if (c.response[0][0] > 0) setImpulse(c, from.impulse + hit * from.normal);
     if (!(from.rolling > 0)) continue;
     Rolling r = rollingOf(from, p.pieces[c.a], c.b == noPiece ? nullptr : &p.pieces[c.b]);
     r.contact = static_cast<std::uint32_t>(i);
@@ -340,12 +331,12 @@ struct Demands {
   double impact = 0;        ///< m/s, largest change that a target demands
 };
 
-Demands demandVelocities(const ContactIsland& island, const ContactSettings& settings, Problem& p) {
+Demands demandVelocities(const ContactIsland& island, const std::vector<double>& targets, Problem& p) {
   Demands d;
   for (std::size_t i = 0; i < p.contacts.size(); i++) {
     const RigidContact& c = island.contacts[i];
     const Vec3d u = relativeVelocity(c, island.pieces);
-    const double target = targetOf(c, settings, u);
+    const double target = targets[i];
     d.free.push_back(u);
     d.impact = std::max(d.impact, target - dot(u, c.normal));
     for (int k = 0; k < 3; k++) p.contacts[i].offset[k] = dot(u, p.contacts[i].axis[k]);
@@ -402,22 +393,59 @@ void takeRolling(const Problem& p, ContactIsland& island, IslandSolve& s) {
   }
 }
 
+/// Impulses for given targets.
+struct Velocities {
+  Problem problem;
+  Demands demands;
+  IslandSolve solve;
+};
+
+Velocities solveVelocities(const ContactIsland& island, const ContactSettings& settings,
+                           const ImpactTargets& targets) {
+  Velocities v{problemOf(island, targets), {}, {}};
+  v.demands = demandVelocities(island, targets.speed, v.problem);
+  v.solve.tolerance = std::max(settings.tolerance, settings.impactPart * v.demands.impact);
+  const Progress progress = iterate(v.problem, v.solve.tolerance, settings.mostIterations);
+  v.solve.iterations = progress.iterations;
+  v.solve.residual = std::isfinite(progress.error) ? progress.error : HUGE_VAL;
+  sumImpulses(v.problem);
+  return v;
+}
+
+/// Returns true if the impulses gain energy, beyond a small part of what the tolerance allows.
+bool gainsEnergy(const Velocities& v) {
+  constexpr double allowed = 1e-3;
+  double gain = 0, error = 0;
+  for (std::size_t i = 0; i < v.problem.contacts.size(); i++) {
+    const Contact& c = v.problem.contacts[i];
+    const Vec3d j = vectorOf(c, c.impulse);
+    gain += dot(j, v.demands.free[i] + 0.5 * changeOf(v.problem, c));
+    error += length(j) * v.solve.tolerance;
+  }
+  for (const Rolling& r : v.problem.rolling) gain += dot(r.impulse, r.offset + 0.5 * changeOf(v.problem, r));
+  return gain > allowed * error;
+}
+
+/// Impacts follow each other where this gains no energy: they do so without friction, which may then divert
+/// their impulses.
+Velocities solveVelocities(const ContactIsland& island, const ContactSettings& settings) {
+  const ImpactTargets targets = successiveImpacts(island, settings);
+  Velocities v = solveVelocities(island, settings, targets);
+  if (!targets.spread || !gainsEnergy(v)) return v;
+  return solveVelocities(island, settings, simultaneousImpacts(island, settings));
+}
+
 }  // namespace
 
 IslandSolve solveIsland(ContactIsland& island, const ContactSettings& settings) {
-  Problem p = problemOf(island);
-  const Demands demands = demandVelocities(island, settings, p);
-  IslandSolve s;
-  s.tolerance = std::max(settings.tolerance, settings.impactPart * demands.impact);
-  const Progress progress = iterate(p, s.tolerance, settings.mostIterations);
-  s.iterations = progress.iterations;
-  s.residual = std::isfinite(progress.error) ? progress.error : HUGE_VAL;
-  sumImpulses(p);
+  Velocities v = solveVelocities(island, settings);
+  Problem& p = v.problem;
+  IslandSolve s = std::move(v.solve);
   for (std::size_t i = 0; i < p.contacts.size(); i++) {
     const Contact& c = p.contacts[i];
     const Vec3d j = vectorOf(c, c.impulse);
     island.contacts[i].impulse = j;
-    s.mean.push_back(demands.free[i] + 0.5 * changeOf(p, c));
+    s.mean.push_back(v.demands.free[i] + 0.5 * changeOf(p, c));
     island.changes[c.a].impulse += j;
     island.changes[c.a].angularImpulse += cross(c.armA, j);
     if (c.b == noPiece) continue;
@@ -426,7 +454,7 @@ IslandSolve solveIsland(ContactIsland& island, const ContactSettings& settings) 
   }
   takeRolling(p, island, s);
   const std::vector<Row> rows = p.rows;
-  s.correctionIterations = correctOverlap(island, settings, demands, p);
+  s.correctionIterations = correctOverlap(island, settings, v.demands, p);
   for (std::size_t r = 0; r < rows.size(); r++) {
     island.pieces[r].velocity += rows[r].velocity;
     island.pieces[r].spin += rows[r].spin;

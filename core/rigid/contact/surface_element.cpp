@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/math/quat.hpp"
-#include "core/rigid/contact/sharp_edge.hpp"
+#include "core/rigid/contact/edge_code.hpp"
 
 namespace thaw {
 namespace {
@@ -16,11 +16,6 @@ constexpr double planeFrom = 60;     // spacings; surfaces of a larger radius ar
 constexpr double thinnest = 1e-6;    // spacings, least offset
 constexpr double deepest = 1.2;      // spacings, largest offset
 constexpr double alongAxis = 0.999;  // component of the normal of a surface along the lattice
-
-SurfaceElement sphereOf(double offset, const Vec3d& edge = {}) {
-  const auto r = static_cast<float>(offset);
-  return {single(edge / static_cast<double>(r)), r, r};
-}
 
 /// Largest principal curvature (1/m) of the level set of the distance through x, by differences along two
 /// tangents.
@@ -54,7 +49,7 @@ SurfaceElement elementOfShape(const SignedDistance& shape, const Vec3d& x, doubl
   // the central difference over the width on a sphere of radius r is 1 / sqrt(r^2 + width^2)
   const double square = 1 / (curvature * curvature) - width * width;
   const double inner = square > 0 ? std::sqrt(square) : 0, radius = inner + depth;
-  if (inner < sharpRadius * spacing) return sphereOf(offset, sharpEdge(shape, x, spacing));
+  if (inner < sharpRadius * spacing) return elementOfEdge(offset, sharpEdge(shape, x, spacing), spacing);
   return {single(normal), static_cast<float>(offset), static_cast<float>(radius)};
 }
 
@@ -73,10 +68,10 @@ SurfaceElement elementOfNeighbours(std::span<const Vec3d> neighbours, double spa
   for (const Vec3d& e : neighbours) {
     if (length(e) > 1.8 * spacing) continue;
     const double height = dot(e, normal);
-    if (height > 0.1 * spacing) return sphereOf(0.5 * spacing);
+    if (height > 0.1 * spacing) return elementOfEdge(0.5 * spacing, {}, spacing);
     if (height > -0.1 * spacing && length(e) < 1.5 * spacing) level++;
   }
-  if (level < 7) return sphereOf(0.5 * spacing);
+  if (level < 7) return elementOfEdge(0.5 * spacing, {}, spacing);
   return {single(normal), static_cast<float>(0.5 * spacing), planeRadius};
 }
 

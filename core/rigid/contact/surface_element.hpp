@@ -14,7 +14,8 @@ struct SurfaceElement {
                      ///< corner of the shape, over the offset; zero: none
   float offset = 0;  ///< m, distance of the particle from the surface; 0: inside the piece, no surface
   float radius = 0;  ///< m, of curvature, through the surface point along the normal; infinite: plane; the
-                     ///< offset: an edge, a corner or a lone particle, round in all directions
+                     ///< offset: a corner or a lone particle, round; negative: code of a sharp edge
+                     ///< (edge_code.hpp)
 };
 
 inline constexpr float planeRadius = std::numeric_limits<float>::infinity();
@@ -27,9 +28,9 @@ inline constexpr double elementReach = 1.0;
 /// that are nearest to none.
 inline constexpr double sphereReach = 1.2;
 
-/// The same for a plane that a sphere, an edge or a corner touches. Planes end at a spacing from the edges of
-/// their body, where particles are round.
-inline constexpr double planeReach = 1.6;
+/// The same for a plane that a sphere, an edge or a corner touches. Planes end at up to 1.5 spacings from the
+/// edges of their body, where particles are round, and at 2.2 from its corners.
+inline constexpr double planeReach = 2.25;
 
 /// Returns the element of a particle at x (m, in the frame of the shape) in a piece that fills the shape.
 SurfaceElement elementOfShape(const SignedDistance& shape, const Vec3d& x, double spacing);

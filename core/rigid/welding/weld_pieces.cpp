@@ -42,8 +42,8 @@ bool touch(const RigidView& v, std::size_t i, std::size_t j) {
   const Vec3d d = p.position[j] - p.position[i];
   if (!(dot(d, d) < most * most) || !mayWeld(v, i) || !mayWeld(v, j)) return false;
   if (p.id[j] < p.id[i]) std::swap(i, j);
-  const std::optional<ElementContact> c = contactOf(placedElement(p, v.pieces, i),
-                                                    placedElement(p, v.pieces, j), spacing);
+  const std::optional<ElementContact> c = contactOf(placedElement(p, v.pieces, i, spacing),
+                                                    placedElement(p, v.pieces, j, spacing), spacing);
   return c && c->gap < largestGap * spacing && c->gap > smallestGap * spacing;
 }
 

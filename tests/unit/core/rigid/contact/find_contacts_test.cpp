@@ -8,8 +8,10 @@
 #include <numbers>
 #include <set>
 #include <tuple>
+#include <utility>
 #include <vector>
 
+#include "core/rigid/contact/edge_code.hpp"
 #include "core/rigid/contact/element_pairs.hpp"
 #include "core/rigid/contact/reduce_contacts.hpp"
 #include "tests/support/rigid/rig.hpp"
@@ -105,6 +107,33 @@ TEST(SurfaceElements, FromNeighboursAreThoseOfTheLattice) {
   EXPECT_FLOAT_EQ(lone.offset, 0.05F);
 }
 
+TEST(SurfaceElements, OfEdgesKeepTheirDirectionAndEnds) {
+  const RigPiece piece = pieceOf(BoxDistance({0.8, 0.5, 0.6}), spacing, 1000);
+  const Vec3d half{0.4, 0.25, 0.3};
+  const Quat turn = rotationBy({0.7, -2.1, 0.4});
+  int edges = 0;
+  for (std::size_t i = 0; i < piece.points.size(); i++)
+    for (const bool turns : {false, true}) {
+      const SurfaceElement e = turns ? turned(piece.elements[i], turn) : piece.elements[i];
+      if (!(e.radius < 0)) continue;
+      SharpEdge edge = edgeOf(e, spacing);
+      const Quat back = turns ? conjugate(turn) : Quat{};
+      edge.along = rotated(back, edge.along);
+      edge.to = rotated(back, edge.to);
+      int a = 0;
+      while (a < 2 && std::abs(edge.along[a]) < 0.5) a++;
+      EXPECT_NEAR(std::abs(edge.along[a]), 1, 1e-7);
+      EXPECT_NEAR(edge.to[a], 0, 1e-7);
+      const double x = std::copysign(1, edge.along[a]) * piece.points[i][a];
+      for (const auto& [found, exact] : {std::pair{edge.ahead, half[a] - x}, {edge.behind, half[a] + x}}) {
+        if (exact > 1.65 * spacing) EXPECT_EQ(found, HUGE_VAL);
+        else EXPECT_NEAR(found, exact, 0.05 * spacing);
+      }
+      edges++;
+    }
+  EXPECT_EQ(edges, 2 * 4 * (6 + 3 + 4));
+}
+
 TEST(ElementPairs, TheGapOfFacesDoesNotDependOnTheirOffset) {
   const PlacedElement lower{{0, 0, 0}, {0, 0, 1}, 0.05, 1.0 / 0.0};
   for (const double x : {0.0, 0.03, 0.07}) {
@@ -194,13 +223,13 @@ TEST(FindContacts, ACornerSlidesOnAFaceFromItsEdgeWithoutOverlap) {
     rig.pieces.push_back(pieceOf(BoxDistance({0.3, 0.3, 0.3}), spacing, 1000));
     RigPiece& cube = rig.pieces.back();
     cube.orientation = rotationBy({0.6, 0.5, 0});
-    double lowest = 0, x = 0;
-    for (const Vec3d& p : cube.points) {
-      const Vec3d at = rotated(cube.orientation, p);
-      if (at.z < lowest) lowest = at.z, x = at.x;
+    Vec3d corner{};  // the lowest one
+    for (int k = 0; k < 8; k++) {
+      const Vec3d sides{k & 1 ? 1.0 : -1.0, k & 2 ? 1.0 : -1.0, k & 4 ? 1.0 : -1.0};
+      const Vec3d at = rotated(cube.orientation, 0.15 * sides);
+      if (at.z < corner.z) corner = at;
     }
-    // the corner is round; it starts 0.45 spacings beyond the outermost particles of the face
-    cube.centre = {0.495 - x, 0.02, 0.44 - lowest};
+    cube.centre = {0.505 - corner.x, 0.02, 0.401 - corner.z};
     cube.velocity = {-speed, 0, 0};
     double deepest = 0;
     for (int n = 0; n < 100; n++) {
@@ -208,6 +237,31 @@ TEST(FindContacts, ACornerSlidesOnAFaceFromItsEdgeWithoutOverlap) {
       deepest = std::max(deepest, rig.last.deepest);
     }
     EXPECT_LT(deepest, 0.03 * spacing) << speed;
+  }
+}
+
+TEST(FindContacts, FacesReachTheirCornersAtAnyPlaceInTheGrid) {
+  // A cube stands on its corner near the corner of a face, and leans outwards. Its particles are up to 2.3
+  // spacings away from those of the face.
+  const Vec3d diagonal = normalized(Vec3d{1, 1, 1}), lean{0.5, 0, std::sqrt(0.75)};
+  const Vec3d axis = normalized(cross(diagonal, lean));
+  for (int place = 0; place < 24; place++) {
+    RigidRig rig(spacing, 3, 2e-3);
+    rig.setFriction(0, 0);
+    const Vec3d top{place * (2 * spacing / 24), 0.02, 1};
+    rig.pieces.push_back(pieceOf(BoxDistance({0.6, 0.6, 0.4}), spacing, 1e9));
+    rig.pieces[0].orientation = rotationBy({0, 0, 0.25 * std::numbers::pi});
+    rig.pieces[0].centre = top - Vec3d{0.3 * std::sqrt(2.0), 0, 0.2};
+    rig.pieces.push_back(pieceOf(BoxDistance({0.3, 0.3, 0.3}), spacing, 1000));
+    RigPiece& cube = rig.pieces[1];
+    cube.orientation = rotationBy(std::acos(dot(diagonal, lean)) * axis);
+    cube.centre = top + Vec3d{-0.3 * spacing, 0, 0} + 0.15 * std::sqrt(3.0) * lean;
+    for (int n = 0; n < 20; n++) {
+      rig.pieces[0].velocity = -rig.settings.step * rig.gravity;
+      rig.step();
+    }
+    const Vec3d corner = cube.centre + rotated(cube.orientation, {-0.15, -0.15, -0.15});
+    EXPECT_NEAR(corner.z, top.z, 0.02 * spacing) << place;
   }
 }
 
