@@ -169,7 +169,8 @@ struct Continuum : Table {
   Column<float> faceOffset{*this, "faceOffset", "m", Keep::State,
       "distance from the surface of its rigid piece; 0: inside, so it has no contacts"};
   Column<float> faceRadius{*this, "faceRadius", "m", Keep::State,
-      "radius of curvature of the surface of its rigid piece; infinite: plane; its offset: an edge"};
+      "radius of curvature of the surface of its rigid piece; infinite: plane; its offset: round; negative: "
+      "code of a sharp edge (core/rigid/contact/edge_code.hpp)"};
   Column<double> touchTime{*this, "touchTime", "s", Keep::State,
       "time for which a hot surface particle has touched another hot piece of its material; -1: at a "
       "fracture that has been hot since; only with welding of rigid pieces"};
