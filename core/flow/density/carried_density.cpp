@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/flow/density/carried_density.hpp"
 
+#include <array>
 #include <span>
 
 #include "core/flow/density/connected_density.hpp"
@@ -11,6 +12,26 @@
 
 namespace thaw {
 namespace {
+
+/// Orthonormal basis of the normals of walls near a particle.
+struct NormalBasis {
+  std::array<Vec3d, 3> axis;
+  std::size_t count = 0;
+};
+
+/// Returns the basis for walls nearer than `reach` (m). In a wedge, normals that are not orthogonal must not
+/// be used one after the other: the second would undo part of what the first did.
+NormalBasis normalBasis(std::span<const WallContact> contacts, double reach) {
+  constexpr double sameDirection = 0.02;  // sine of the angle between normals that count as one
+  NormalBasis b;
+  for (const WallContact& c : contacts) {
+    if (!(c.distance < reach) || b.count == b.axis.size()) continue;
+    Vec3d n = c.normal;
+    for (std::size_t k = 0; k < b.count; k++) n -= b.axis[k] * dot(n, b.axis[k]);
+    if (length(n) > sameDirection) b.axis[b.count++] = normalized(n);
+  }
+  return b;
+}
 
 /// Moment at a wall, with 1 along the normal. The sums and the gradient contain only liquid neighbours
 /// along the wall. Along the normal, the wall's force balances a uniform pressure.
@@ -26,8 +47,8 @@ Sym3d alongWall(const Sym3d& moment, const Vec3d& n) {
 Vec3d alongWalls(Vec3d v, std::span<const WallContact> contacts, double spacing) {
   // distance in spacings within which a wall is adjacent
   constexpr double wallLayer = 1.2;
-  for (const WallContact& c : contacts)
-    if (c.distance < wallLayer * spacing) v -= c.normal * dot(v, c.normal);
+  const NormalBasis b = normalBasis(contacts, wallLayer * spacing);
+  for (std::size_t k = 0; k < b.count; k++) v -= b.axis[k] * dot(v, b.axis[k]);
   return v;
 }
 
@@ -76,7 +97,8 @@ void addWallsTo(const void* context, std::uint32_t row, CarryRow& r) {
     r.rate -= r.liquidFraction * wallSlope(x, c) / h * speedOff(x, c);
   r.atSurface = r.liquidFraction > 0 &&
                 length(alongWalls(r.gradient, mine, x.scene.spacing)) > surfaceAsymmetry * r.gradientSize;
-  for (const WallContact& c : mine) r.moment = alongWall(r.moment, c.normal);
+  const NormalBasis normals = normalBasis(mine, h);
+  for (std::size_t k = 0; k < normals.count; k++) r.moment = alongWall(r.moment, normals.axis[k]);
 }
 
 Vec3d alongWallsOf(const void* context, std::uint32_t row, Vec3d velocity) {
