@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/flow/density/carried_density.hpp"
 
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -61,24 +62,40 @@ double wallSlope(const CarryContext& x, const WallContact& c) {
 /// Gradient of the wall's own relative density, times h: half of the slope.
 Vec3d ownGradient(const CarryContext& x, const WallContact& c) { return c.normal * (-0.5 * wallSlope(x, c)); }
 
-/// Velocity (m/s) away from the wall.
-double speedOff(const CarryContext& x, const WallContact& c) {
-  return dot(x.particles.velocity[c.row] - wallVelocity(x.walls.list[c.wall], x.particles.position[c.row]),
-             c.normal);
+/// Velocity (m/s) relative to the wall.
+Vec3d relativeVelocity(const CarryContext& x, const WallContact& c) {
+  return x.particles.velocity[c.row] - wallVelocity(x.walls.list[c.wall], x.particles.position[c.row]);
 }
 
-/// Contacts of a row at mid-step; walls pass the particle as planes. Shares of the end of the step would
-/// differ to first order in the step where walls overlap. The compression would then not receive the work of
-/// the wall's force.
+/// Moves a contact back to mid-step. Beyond `edgeReach` spacings the wall is a plane. Nearer, its normal
+/// turns where the particle passes a convex edge. With the normal of the end of the step, the work there
+/// would have a first-order error. nearest: the contact is with the wall's nearest face.
+void moveToMidStep(const CarryContext& x, WallContact& c, bool nearest) {
+  constexpr double edgeReach = 1, smallestTurn = 0.005;  // rad, smaller turns are neglected
+  const Continuum& p = x.particles;
+  Vec3d velocity = relativeVelocity(x, c);
+  if (isShifted(p, c.row)) velocity += p.shiftingVelocity[c.row];
+  const Vec3d back = velocity * (-0.5 * x.dt);
+  const double off = dot(back, c.normal), along = length(back - c.normal * off);
+  c.distance += off;
+  if (!nearest || c.distance > edgeReach * x.scene.spacing) return;
+  if (along <= smallestTurn * std::max(c.distance, 0.0)) return;
+  const Wall& wall = x.walls.list[c.wall];
+  Vec3d normal;
+  const double distance = wall.shape->distance(toRest(wall.pose, p.position[c.row] + back), &normal);
+  // Less than the distance from the plane: another face of a concave wall, which has a contact of its own.
+  if (distance <= c.distance + 1e-3 * along) return;
+  c.distance = distance;
+  c.normal = directionFromRest(wall.pose, normal);
+}
+
+/// Contacts of a row at mid-step. Shares of the end of the step would differ to first order in the step where
+/// walls overlap. The compression would then not receive the work of the wall's force.
 std::span<const WallContact> atMidStep(const CarryContext& x, std::span<const WallContact> now) {
   std::vector<WallContact>& mid = x.carry.midContacts;
   mid.assign(now.begin(), now.end());
-  const Continuum& p = x.particles;
-  for (WallContact& c : mid) {
-    double speed = speedOff(x, c);
-    if (isShifted(p, c.row)) speed += dot(p.shiftingVelocity[c.row], c.normal);
-    c.distance -= 0.5 * x.dt * speed;
-  }
+  for (std::size_t k = 0; k < mid.size(); k++)
+    moveToMidStep(x, mid[k], k == 0 || now[k - 1].wall != now[k].wall);
   if (mid.size() > 1)
     for (std::size_t k = 0; k < mid.size(); k++)
       mid[k].share = pressureShare({x.wallTables, x.grid.support}, mid, k);
@@ -94,7 +111,7 @@ void addWallsTo(const void* context, std::uint32_t row, CarryRow& r) {
   r.relativeDensity += x.inverseLatticeSum * wallRelativeDensity({x.wallTables, h}, mine, contacts.added);
   for (const WallContact& c : mine) r.gradient += ownGradient(x, c);
   for (const WallContact& c : atMidStep(x, mine))
-    r.rate -= r.liquidFraction * wallSlope(x, c) / h * speedOff(x, c);
+    r.rate -= r.liquidFraction * wallSlope(x, c) / h * dot(relativeVelocity(x, c), c.normal);
   r.atSurface = r.liquidFraction > 0 &&
                 length(alongWalls(r.gradient, mine, x.scene.spacing)) > surfaceAsymmetry * r.gradientSize;
   const NormalBasis normals = normalBasis(mine, h);
