@@ -67,15 +67,15 @@ Vec3d relativeVelocity(const CarryContext& x, const WallContact& c) {
   return x.particles.velocity[c.row] - wallVelocity(x.walls.list[c.wall], x.particles.position[c.row]);
 }
 
-/// Moves a contact back to mid-step. Beyond `edgeReach` spacings the wall is a plane. Nearer, its normal
-/// turns where the particle passes a convex edge. With the normal of the end of the step, the work there
-/// would have a first-order error. nearest: the contact is with the wall's nearest face.
-void moveToMidStep(const CarryContext& x, WallContact& c, bool nearest) {
-  constexpr double edgeReach = 1, smallestTurn = 0.005;  // rad, smaller turns are neglected
+/// Moves a contact back to the start of the step. Beyond `edgeReach` spacings the wall is a plane. Nearer,
+/// its normal turns where the particle passes a convex edge. With the normal of the end of the step, the work
+/// there would have a first-order error. nearest: the contact is with the wall's nearest face.
+void moveToStart(const CarryContext& x, WallContact& c, bool nearest) {
+  constexpr double edgeReach = 1, smallestTurn = 0.01;  // rad, smaller turns are neglected
   const Continuum& p = x.particles;
   Vec3d velocity = relativeVelocity(x, c);
   if (isShifted(p, c.row)) velocity += p.shiftingVelocity[c.row];
-  const Vec3d back = velocity * (-0.5 * x.dt);
+  const Vec3d back = velocity * -x.dt;
   const double off = dot(back, c.normal), along = length(back - c.normal * off);
   c.distance += off;
   if (!nearest || c.distance > edgeReach * x.scene.spacing) return;
@@ -89,20 +89,26 @@ void moveToMidStep(const CarryContext& x, WallContact& c, bool nearest) {
   c.normal = directionFromRest(wall.pose, normal);
 }
 
-/// Contacts of a row at mid-step. Shares of the end of the step would differ to first order in the step where
-/// walls overlap. The compression would then not receive the work of the wall's force.
-std::span<const WallContact> atMidStep(const CarryContext& x, std::span<const WallContact> now) {
-  std::vector<WallContact>& mid = x.carry.midContacts;
-  mid.assign(now.begin(), now.end());
-  for (std::size_t k = 0; k < mid.size(); k++)
-    moveToMidStep(x, mid[k], k == 0 || now[k - 1].wall != now[k].wall);
-  if (mid.size() > 1)
-    for (std::size_t k = 0; k < mid.size(); k++)
-      mid[k].share = pressureShare({x.wallTables, x.grid.support}, mid, k);
-  return mid;
+/// Contacts of a row at the start of the step, with the shares that they had there.
+std::span<const WallContact> atStart(const CarryContext& x, std::span<const WallContact> now) {
+  std::vector<WallContact>& start = x.carry.startContacts;
+  start.assign(now.begin(), now.end());
+  for (std::size_t k = 0; k < start.size(); k++)
+    moveToStart(x, start[k], k == 0 || now[k - 1].wall != now[k].wall);
+  if (start.size() > 1)
+    for (std::size_t k = 0; k < start.size(); k++)
+      start[k].share = pressureShare({x.wallTables, x.grid.support}, start, k);
+  return start;
 }
 
-/// Adds the walls' parts to the sums of a row. The density rate uses contacts at mid-step, as pairs do.
+/// Rate (1/s) of the relative density due to a wall.
+double wallRate(const CarryContext& x, const WallContact& c) {
+  return -wallSlope(x, c) / x.grid.support * dot(relativeVelocity(x, c), c.normal);
+}
+
+/// Adds the walls' parts to the sums of a row. Their density rate is the mean of both ends of the step, like
+/// the work of their forces. The compression then receives this work to second order, also where walls
+/// overlap.
 void addWallsTo(const void* context, std::uint32_t row, CarryRow& r) {
   const CarryContext& x = *static_cast<const CarryContext*>(context);
   WallContacts& contacts = x.wallContacts;
@@ -110,8 +116,10 @@ void addWallsTo(const void* context, std::uint32_t row, CarryRow& r) {
   const double h = x.grid.support;
   r.relativeDensity += x.inverseLatticeSum * wallRelativeDensity({x.wallTables, h}, mine, contacts.added);
   for (const WallContact& c : mine) r.gradient += ownGradient(x, c);
-  for (const WallContact& c : atMidStep(x, mine))
-    r.rate -= r.liquidFraction * wallSlope(x, c) / h * dot(relativeVelocity(x, c), c.normal);
+  double rates = 0;
+  for (const WallContact& c : atStart(x, mine)) rates += wallRate(x, c);
+  for (const WallContact& c : mine) rates += wallRate(x, c);
+  r.rate += 0.5 * r.liquidFraction * rates;
   r.atSurface = r.liquidFraction > 0 &&
                 length(alongWalls(r.gradient, mine, x.scene.spacing)) > surfaceAsymmetry * r.gradientSize;
   const NormalBasis normals = normalBasis(mine, h);
