@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/flow/density/carried_density.hpp"
 
+#include <algorithm>
+#include <array>
 #include <span>
 
 #include "core/flow/density/connected_density.hpp"
@@ -11,6 +13,26 @@
 
 namespace thaw {
 namespace {
+
+/// Orthonormal basis of the normals of walls near a particle.
+struct NormalBasis {
+  std::array<Vec3d, 3> axis;
+  std::size_t count = 0;
+};
+
+/// Returns the basis for walls nearer than `reach` (m). In a wedge, normals that are not orthogonal must not
+/// be used one after the other: the second would undo part of what the first did.
+NormalBasis normalBasis(std::span<const WallContact> contacts, double reach) {
+  constexpr double sameDirection = 0.02;  // sine of the angle between normals that count as one
+  NormalBasis b;
+  for (const WallContact& c : contacts) {
+    if (!(c.distance < reach) || b.count == b.axis.size()) continue;
+    Vec3d n = c.normal;
+    for (std::size_t k = 0; k < b.count; k++) n -= b.axis[k] * dot(n, b.axis[k]);
+    if (length(n) > sameDirection) b.axis[b.count++] = normalized(n);
+  }
+  return b;
+}
 
 /// Moment at a wall, with 1 along the normal. The sums and the gradient contain only liquid neighbours
 /// along the wall. Along the normal, the wall's force balances a uniform pressure.
@@ -26,8 +48,8 @@ Sym3d alongWall(const Sym3d& moment, const Vec3d& n) {
 Vec3d alongWalls(Vec3d v, std::span<const WallContact> contacts, double spacing) {
   // distance in spacings within which a wall is adjacent
   constexpr double wallLayer = 1.2;
-  for (const WallContact& c : contacts)
-    if (c.distance < wallLayer * spacing) v -= c.normal * dot(v, c.normal);
+  const NormalBasis b = normalBasis(contacts, wallLayer * spacing);
+  for (std::size_t k = 0; k < b.count; k++) v -= b.axis[k] * dot(v, b.axis[k]);
   return v;
 }
 
@@ -40,31 +62,53 @@ double wallSlope(const CarryContext& x, const WallContact& c) {
 /// Gradient of the wall's own relative density, times h: half of the slope.
 Vec3d ownGradient(const CarryContext& x, const WallContact& c) { return c.normal * (-0.5 * wallSlope(x, c)); }
 
-/// Velocity (m/s) away from the wall.
-double speedOff(const CarryContext& x, const WallContact& c) {
-  return dot(x.particles.velocity[c.row] - wallVelocity(x.walls.list[c.wall], x.particles.position[c.row]),
-             c.normal);
+/// Velocity (m/s) relative to the wall.
+Vec3d relativeVelocity(const CarryContext& x, const WallContact& c) {
+  return x.particles.velocity[c.row] - wallVelocity(x.walls.list[c.wall], x.particles.position[c.row]);
 }
 
-/// Contacts of a row at mid-step; walls pass the particle as planes. Shares of the end of the step would
-/// differ to first order in the step where walls overlap. The compression would then not receive the work of
-/// the wall's force.
-std::span<const WallContact> atMidStep(const CarryContext& x, std::span<const WallContact> now) {
-  std::vector<WallContact>& mid = x.carry.midContacts;
-  mid.assign(now.begin(), now.end());
+/// Moves a contact back to the start of the step. Beyond `edgeReach` spacings the wall is a plane. Nearer,
+/// its normal turns where the particle passes a convex edge. With the normal of the end of the step, the work
+/// there would have a first-order error. nearest: the contact is with the wall's nearest face.
+void moveToStart(const CarryContext& x, WallContact& c, bool nearest) {
+  constexpr double edgeReach = 1, smallestTurn = 0.01;  // rad, smaller turns are neglected
   const Continuum& p = x.particles;
-  for (WallContact& c : mid) {
-    double speed = speedOff(x, c);
-    if (isShifted(p, c.row)) speed += dot(p.shiftingVelocity[c.row], c.normal);
-    c.distance -= 0.5 * x.dt * speed;
-  }
-  if (mid.size() > 1)
-    for (std::size_t k = 0; k < mid.size(); k++)
-      mid[k].share = pressureShare({x.wallTables, x.grid.support}, mid, k);
-  return mid;
+  Vec3d velocity = relativeVelocity(x, c);
+  if (isShifted(p, c.row)) velocity += p.shiftingVelocity[c.row];
+  const Vec3d back = velocity * -x.dt;
+  const double off = dot(back, c.normal), along = length(back - c.normal * off);
+  c.distance += off;
+  if (!nearest || c.distance > edgeReach * x.scene.spacing) return;
+  if (along <= smallestTurn * std::max(c.distance, 0.0)) return;
+  const Wall& wall = x.walls.list[c.wall];
+  Vec3d normal;
+  const double distance = wall.shape->distance(toRest(wall.pose, p.position[c.row] + back), &normal);
+  // Less than the distance from the plane: another face of a concave wall, which has a contact of its own.
+  if (distance <= c.distance + 1e-3 * along) return;
+  c.distance = distance;
+  c.normal = directionFromRest(wall.pose, normal);
 }
 
-/// Adds the walls' parts to the sums of a row. The density rate uses contacts at mid-step, as pairs do.
+/// Contacts of a row at the start of the step, with the shares that they had there.
+std::span<const WallContact> atStart(const CarryContext& x, std::span<const WallContact> now) {
+  std::vector<WallContact>& start = x.carry.startContacts;
+  start.assign(now.begin(), now.end());
+  for (std::size_t k = 0; k < start.size(); k++)
+    moveToStart(x, start[k], k == 0 || now[k - 1].wall != now[k].wall);
+  if (start.size() > 1)
+    for (std::size_t k = 0; k < start.size(); k++)
+      start[k].share = pressureShare({x.wallTables, x.grid.support}, start, k);
+  return start;
+}
+
+/// Rate (1/s) of the relative density due to a wall.
+double wallRate(const CarryContext& x, const WallContact& c) {
+  return -wallSlope(x, c) / x.grid.support * dot(relativeVelocity(x, c), c.normal);
+}
+
+/// Adds the walls' parts to the sums of a row. Their density rate is the mean of both ends of the step, like
+/// the work of their forces. The compression then receives this work to second order, also where walls
+/// overlap.
 void addWallsTo(const void* context, std::uint32_t row, CarryRow& r) {
   const CarryContext& x = *static_cast<const CarryContext*>(context);
   WallContacts& contacts = x.wallContacts;
@@ -72,11 +116,14 @@ void addWallsTo(const void* context, std::uint32_t row, CarryRow& r) {
   const double h = x.grid.support;
   r.relativeDensity += x.inverseLatticeSum * wallRelativeDensity({x.wallTables, h}, mine, contacts.added);
   for (const WallContact& c : mine) r.gradient += ownGradient(x, c);
-  for (const WallContact& c : atMidStep(x, mine))
-    r.rate -= r.liquidFraction * wallSlope(x, c) / h * speedOff(x, c);
+  double rates = 0;
+  for (const WallContact& c : atStart(x, mine)) rates += wallRate(x, c);
+  for (const WallContact& c : mine) rates += wallRate(x, c);
+  r.rate += 0.5 * r.liquidFraction * rates;
   r.atSurface = r.liquidFraction > 0 &&
                 length(alongWalls(r.gradient, mine, x.scene.spacing)) > surfaceAsymmetry * r.gradientSize;
-  for (const WallContact& c : mine) r.moment = alongWall(r.moment, c.normal);
+  const NormalBasis normals = normalBasis(mine, h);
+  for (std::size_t k = 0; k < normals.count; k++) r.moment = alongWall(r.moment, normals.axis[k]);
 }
 
 Vec3d alongWallsOf(const void* context, std::uint32_t row, Vec3d velocity) {

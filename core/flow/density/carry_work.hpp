@@ -9,10 +9,10 @@ namespace thaw {
 
 /// Temporary memory of the step of carried densities.
 struct CarryWork {
-  std::vector<std::uint8_t> besideWall;  ///< by owned row; empty: no wall contacts
-  std::vector<float> summed;             ///< CarryStep::summed
-  double largestChange = 0;              ///< CarryStep::largestChange
-  std::vector<WallContact> midContacts;  ///< contacts of the current row at mid-step
+  std::vector<std::uint8_t> besideWall;    ///< by owned row; empty: no wall contacts
+  std::vector<float> summed;               ///< CarryStep::summed
+  double largestChange = 0;                ///< CarryStep::largestChange
+  std::vector<WallContact> startContacts;  ///< contacts of the current row at the start of the step
 };
 
 }  // namespace thaw

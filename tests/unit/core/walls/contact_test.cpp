@@ -37,7 +37,7 @@ double bounceHeight(WallRig& r, double step) {
 
 }  // namespace
 
-// The density rate uses contacts at mid-step, whose shares differ where walls overlap.
+// The density rate uses contacts at the start of the step too, whose shares differ where walls overlap.
 TEST(WallContact, SharesFollowFromDistances) {
   WallRig r;
   r.add(std::make_shared<Slope>(0.0)), r.add(std::make_shared<Slope>(1.5));
