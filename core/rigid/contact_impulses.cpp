@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/rigid/contact/impulse_guess.hpp"
 #include "core/rigid/piece_sums.hpp"
 #include "core/rigid/sleeping_pieces.hpp"
 

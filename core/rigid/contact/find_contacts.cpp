@@ -7,7 +7,6 @@
 #include <tuple>
 
 #include "core/particles/row_span.hpp"
-#include "core/rigid/contact/impulse_guess.hpp"
 #include "core/rigid/contact/reduce_contacts.hpp"
 #include "core/solid/bonds/weight.hpp"
 #include "core/walls/faces.hpp"
@@ -525,6 +524,47 @@ std::vector<FoundContact> findContacts(const ContactSearch& search, std::span<co
   reduceContacts(s.found, search.pieces, search.scene.spacing, all);
   guessImpulses(search.particles, s.found);
   return std::move(s.found);
+}
+
+void guessImpulses(const Continuum& p, std::span<FoundContact> contacts) {
+  constexpr std::size_t none = ~std::size_t{0};
+  std::vector<std::size_t> best(p.owned, none);
+  const auto order = [&](std::size_t k) {
+    const RigidContact& c = contacts[k].contact;
+    return std::tuple(-dot(c.normal, p.contactImpulse[contacts[k].particle]), c.keyB, c.gap, c.normal.x,
+                      c.normal.y, c.normal.z);
+  };
+  for (std::size_t k = 0; k < contacts.size(); k++) {
+    const std::uint32_t i = contacts[k].particle;
+    if (p.contactPartner[i] != contacts[k].partner) continue;
+    if (best[i] == none || order(k) < order(best[i])) best[i] = k;
+  }
+  for (const std::size_t k : best) {
+    if (k == none) continue;
+    RigidContact& c = contacts[k].contact;
+    c.impulse = p.contactImpulse[contacts[k].particle];
+    if (p.rollingImpulse.active) c.angularImpulse = p.rollingImpulse[contacts[k].particle];
+  }
+}
+
+void keepImpulses(std::span<const FoundContact> contacts, const Pieces& pieces, Continuum& p) {
+  const auto forget = [&](std::size_t i) {
+    p.contactPartner[i] = 0;
+    p.contactImpulse[i] = {};
+    if (p.rollingImpulse.active) p.rollingImpulse[i] = {};
+  };
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (p.piece[i] == notRigid || !pieces.asleep[p.pieceRow[i]]) forget(i);
+  for (const FoundContact& f : contacts) forget(f.particle);
+  for (const FoundContact& f : contacts) {
+    const Vec3d &now = f.contact.impulse, &before = p.contactImpulse[f.particle];
+    const double size = dot(now, now), other = dot(before, before);
+    if (size > other || (size == other && size > 0 && f.partner < p.contactPartner[f.particle])) {
+      p.contactPartner[f.particle] = f.partner;
+      p.contactImpulse[f.particle] = now;
+      if (p.rollingImpulse.active) p.rollingImpulse[f.particle] = f.contact.angularImpulse;
+    }
+  }
 }
 
 }  // namespace thaw

@@ -53,4 +53,13 @@ PlacedElement placedElement(const Continuum& particles, const Pieces& pieces, st
 std::vector<FoundContact> findContacts(const ContactSearch& search, std::span<const PieceMotion> motion,
                                        Reducer& all);
 
+/// Sets first guesses: the stored impulse of a particle goes to the contact with its partner along whose
+/// normal it acts most. If each of several contacts received it, the impulses of wedged pieces would grow
+/// from step to step.
+void guessImpulses(const Continuum& particles, std::span<FoundContact> contacts);
+
+/// Stores the solved impulses in the particles, as first guesses of the next step. Particles of sleeping
+/// pieces keep theirs.
+void keepImpulses(std::span<const FoundContact> contacts, const Pieces& pieces, Continuum& particles);
+
 }  // namespace thaw

@@ -11,7 +11,6 @@
 #include "core/halo/serial.hpp"
 #include "core/math/quat.hpp"
 #include "core/rigid/contact/find_contacts.hpp"
-#include "core/rigid/contact/impulse_guess.hpp"
 #include "core/rigid/contact/solve_contacts.hpp"
 #include "core/rigid/contact/surface_element.hpp"
 
