@@ -16,7 +16,7 @@ namespace thaw {
 
 /// Cosine of the contact angle: the wall's angle, else that of the material. 0 at 90 degrees.
 double wettingOf(const Material& material, const Obstacle& wall);
-/// The same of a particle at a wall.
+/// Returns it for the particle and the wall of a contact.
 double wettingAt(const WallView& world, const WallContact& contact);
 
 /// Updates Continuum::surfaceTension of owned particles. Requires: Modules::tensionTable.

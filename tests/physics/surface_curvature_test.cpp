@@ -88,7 +88,7 @@ TEST(SurfaceCurvature, SlopesOfTheTensionActOnTheSurfaceOutsideOfTheParticles) {
   EXPECT_NEAR(along / (-0.25 * 8 * pi / 3), 1, 0.1);
 }
 
-// A free drop, and a bubble in it, bear no net force of their tension.
+// Free drops bear no net force of their tension.
 TEST(SurfaceCurvature, FreeDropsKeepTheirMomentum) {
   Scene s = marangoniDrop(0.2);
   s.bodies.push_back(s.bodies[0]);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/domain/outside_forces.hpp"
 #include "core/flow/curvature/surface_loops.hpp"
@@ -25,7 +26,7 @@ constexpr int summandBits = 36;
 /// Surfaces with particles on this rank.
 struct Surfaces {
   std::vector<std::uint64_t> label;  ///< 1 + the smallest id of its particles, ascending
-  std::vector<std::uint32_t> of;     ///< number of the surface of each owned row
+  std::vector<std::uint32_t> of;     ///< number of the surface of each owned row at a surface
 };
 
 /// Labels the connected particles at the surface of all ranks.
@@ -39,12 +40,15 @@ Surfaces findSurfaces(const CurvatureContext& x) {
   });
   spreadLabels({p.setLabel.data(), p.size()}, p.owned, sets, x.all,
                [&] { refresh(x.halo, p, ColumnList{&p.setLabel}).wait(); });
-  Surfaces s{{p.setLabel.data(), p.setLabel.data() + p.owned}, std::vector<std::uint32_t>(p.owned)};
+  Surfaces s{{}, std::vector<std::uint32_t>(p.owned)};
+  std::copy_if(p.setLabel.data(), p.setLabel.data() + p.owned, std::back_inserter(s.label),
+               [](std::uint64_t label) { return label != noSet; });
   std::sort(s.label.begin(), s.label.end());
   s.label.erase(std::unique(s.label.begin(), s.label.end()), s.label.end());
   for (std::size_t i = 0; i < p.owned; i++)
-    s.of[i] = static_cast<std::uint32_t>(std::lower_bound(s.label.begin(), s.label.end(), p.setLabel[i]) -
-                                         s.label.begin());
+    if (p.setLabel[i] != noSet)
+      s.of[i] = static_cast<std::uint32_t>(std::lower_bound(s.label.begin(), s.label.end(), p.setLabel[i]) -
+                                           s.label.begin());
   return s;
 }
 
@@ -62,13 +66,14 @@ Units commonUnits(const CurvatureContext& x, const std::vector<Vec3d>& force) {
   }
   x.all.maximum(most);
   const auto unit = [](double value) {
-    return value > 0 ? std::ldexp(1.0, std::ilogb(value) + 1 - summandBits) : 1;
+    const bool usable = value > 0 && std::isfinite(value);
+    return usable ? std::ldexp(1.0, std::max(std::ilogb(value) + 1 - summandBits, -1000)) : 1;
   };
   return {unit(most[0]), unit(most[1])};
 }
 
-/// Returns true if the surface ends near a row: at a wall, a solid or a clamped particle, which take up
-/// momentum.
+/// Returns true if the surface ends near a row: at a wall, a solid, or a clamped or sleeping particle,
+/// which take up momentum.
 bool surfaceEndsNear(const CurvatureContext& x, std::uint32_t i, std::size_t g, std::size_t l) {
   if (!isFree(x.world.particles, i)) return true;
   for (const WallContact& c : contactsOf(x.contacts, i))
@@ -85,9 +90,11 @@ void balanceClosedSurfaces(const CurvatureContext& x, std::vector<Vec3d>& force)
   std::vector<std::int64_t> sums(surfaces.label.size() * wordsOfSurface, 0);
   eachAtSurface(x, [&](std::uint32_t i, std::size_t g, std::size_t l) {
     std::int64_t* const sum = &sums[surfaces.of[i] * wordsOfSurface];
+    const bool finite = std::isfinite(dot(force[i], force[i])) && std::isfinite(weightOf(p, i));
+    sum[4] += !finite || surfaceEndsNear(x, i, g, l) ? 1 : 0;
+    if (!finite) return;
     sum[0] += std::llround(weightOf(p, i) / units.area);
     for (int axis = 0; axis < 3; axis++) sum[1 + axis] += std::llround(force[i][axis] / units.force);
-    sum[4] += surfaceEndsNear(x, i, g, l) ? 1 : 0;
   });
   RankPieceExchange(x.all, surfaces.label, nullptr).sum(sums, wordsOfSurface);
   eachAtSurface(x, [&](std::uint32_t i, std::size_t, std::size_t) {

@@ -8,8 +8,8 @@
 namespace thaw {
 
 /// Subtracts the mean force per area of each closed surface from the forces (N) of owned rows. A surface that
-/// ends at a wall, at a solid or at a clamped particle keeps its forces. Overwrites setLabel. Collective.
-/// Requires: surfaceGradient as findFreeSurface leaves it, on owned rows and ghosts.
+/// ends at a wall, at a solid, or at a clamped or sleeping particle keeps its forces. Overwrites setLabel.
+/// Collective. Requires: surfaceGradient as findFreeSurface leaves it, on owned rows and ghosts.
 void balanceClosedSurfaces(const CurvatureContext& context, std::vector<Vec3d>& force);
 
 }  // namespace thaw

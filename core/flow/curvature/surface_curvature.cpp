@@ -79,7 +79,8 @@ Vec3d normalAtWall(const CurvatureContext& x, std::uint32_t i, const Vec3d& n) {
 /// colour over that of the full lattice, the particle itself included.
 ///
 /// Beyond 90 degrees, a drop overhangs its wall. There the wall counts partly as gas in the direction of the
-/// normal, wholly at 180 degrees. The wedge of gas would else be filled by the kernel, and look upright.
+/// normal, wholly at 180 degrees. Otherwise the kernel fills the wedge of gas, and the surface appears
+/// upright.
 void startNormals(const CurvatureContext& x) {
   const WallView& w = x.world;
   Continuum& p = w.particles;

@@ -137,13 +137,15 @@ void sortRows(ContactIsland& s, std::vector<std::uint32_t>& place) {
   s.pieces = std::move(pieces);
 }
 
-/// Sorts contacts by their particles. The contacts of a particle with an obstacle differ by their normals.
+/// Sorts contacts by their particles. Those of a particle with an obstacle, or with several faces and edges
+/// of another one, differ by their normals, gaps and points.
 void sortContacts(ContactIsland& s, std::vector<std::uint32_t>& place) {
   std::vector<std::uint32_t> order(s.contacts.size());
   std::iota(order.begin(), order.end(), 0u);
   const auto key = [&](std::uint32_t i) {
     const RigidContact& c = s.contacts[i];
-    return std::tuple(c.keyA, c.keyB, c.normal.x, c.normal.y, c.normal.z);
+    return std::tuple(c.keyA, c.keyB, c.normal.x, c.normal.y, c.normal.z, c.gap, c.armA.x, c.armA.y,
+                      c.armA.z);
   };
   std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) { return key(i) < key(j); });
   std::vector<RigidContact> contacts;

@@ -395,7 +395,8 @@ void addFacesBeside(const Search& s, const SurfaceParticle& a, const SurfacePart
                     std::vector<Candidate>& candidates) {
   const double spacing = s.in.scene.spacing;
   const Vec3d between = a.centre - b.element.position;
-  const double gap = gapLimit(s, a, b);
+  // A face that is dropped here never replaces an edge that may close. The limit depends on the ranks.
+  const double gap = gapLimit(s, a, b) + faceGap * spacing;
   for (const Vec3d& n : b.faces) {
     if (n == Vec3d{} || dot(between, n) - b.element.offset - extentTowards(a, -n, spacing) > gap) continue;
     const PlacedElement face{b.element.position, n, b.element.offset, HUGE_VAL, {}};

@@ -8,11 +8,11 @@
 namespace thaw {
 namespace {
 
-constexpr int mostRounds = 200;          // later impacts do not rebound
+constexpr int mostRounds = 200;
 constexpr int mostSweeps = 200;          // sweeps of a round
 constexpr double roundTolerance = 1e-4;  // tolerance over the fastest approach of the round
 
-/// Motions of an island during its impacts, and velocities of each of its rows by a unit normal impulse.
+/// Motions of an island during its impacts, and the response of each contact.
 struct Impacts {
   const ContactIsland& island;
   std::vector<PieceMotion> now;
@@ -55,9 +55,10 @@ Impacts impactsOf(const ContactIsland& island) {
 
 double roomOf(const RigidContact& c, const ContactSettings& s) { return std::max(0.0, c.gap) / s.step; }
 
-/// Returns true if a contact closes in the step, fast enough for an impact.
+/// Returns true if a contact closes in the step, fast enough for an impact. Speeds below the tolerance count
+/// as none, so that impacts end without gravity, too.
 bool hits(const RigidContact& c, const ContactSettings& s, double speed) {
-  return -speed > roomOf(c, s) && -speed > s.impactSpeed;
+  return -speed > roomOf(c, s) + s.tolerance && -speed > std::max(s.impactSpeed, s.tolerance);
 }
 
 double targetOf(const RigidContact& c, const ContactSettings& s, double speed) {
@@ -121,6 +122,7 @@ ImpactTargets successiveImpacts(const ContactIsland& island, const ContactSettin
     for (const Rebound& r : round) impulse[r.contact] += r.impulse;
     fastest = findHits(m, settings, round);
   }
+  if (!round.empty()) return simultaneousImpacts(island, settings);
   if (!t.spread) return t;
   for (std::size_t i = 0; i < t.speed.size(); i++) {
     const RigidContact& c = island.contacts[i];

@@ -18,8 +18,8 @@ struct ImpactTargets {
 ImpactTargets simultaneousImpacts(const ContactIsland& island, const ContactSettings& settings);
 
 /// Returns the targets where impacts follow each other [SKV12]: contacts that approach rebound together
-/// without friction, then those that approach as a result, until none does. Without restitution, or where
-/// impacts cause no others, they are those of Newton's law.
+/// without friction, then those that approach as a result, until none does. Without restitution, where
+/// impacts cause no others, or where they do not end, the targets are those of Newton's law.
 ImpactTargets successiveImpacts(const ContactIsland& island, const ContactSettings& settings);
 
 /// Returns the velocity (m/s) of the first side of a contact relative to the second one.

@@ -426,8 +426,8 @@ bool gainsEnergy(const Velocities& v) {
   return gain > allowed * error;
 }
 
-/// Impacts follow each other where this gains no energy: they do so without friction, which may then divert
-/// their impulses.
+/// Returns the solution with successive impacts, or with simultaneous ones if the former gains energy.
+/// Friction can cause a gain, since the impact sequence has none.
 Velocities solveVelocities(const ContactIsland& island, const ContactSettings& settings) {
   const ImpactTargets targets = successiveImpacts(island, settings);
   Velocities v = solveVelocities(island, settings, targets);

@@ -40,7 +40,7 @@ TEST(SurfaceElements, OfABallHaveItsRadiusAndTouchIt) {
   EXPECT_GT(surface, 200);
 }
 
-TEST(SurfaceElements, OfABoxArePlanesWithRoundEdges) {
+TEST(SurfaceElements, OfABoxArePlanesWithSharpEdges) {
   const RigPiece piece = pieceOf(BoxDistance({0.6, 0.6, 0.6}), spacing, 1000);
   int planes = 0, edges = 0, corners = 0;
   for (std::size_t i = 0; i < piece.points.size(); i++) {
