@@ -181,6 +181,17 @@ void addWeightlessLiquid(const Scene& s, std::vector<std::string>& lines) {
         s.file));
 }
 
+/// Warns of a mean buoyancy that nothing balances.
+void addUnbalancedBuoyancy(const Scene& s, std::vector<std::string>& lines) {
+  if (s.numerics.buoyancy != Buoyancy::Boussinesq || !s.obstacles.empty()) return;
+  for (int a = 0; a < 3; a++)
+    if (s.domain.side[a][0] == Side::Periodic && s.domain.gravity[a] + s.domain.buoyantGravity[a] != 0)
+      lines.push_back(fmt::format(
+          "{}: the domain is periodic along gravity, so nothing balances the mean buoyancy: all liquid "
+          "accelerates, unless its mean temperature is half-way between the lowest and the highest",
+          s.file));
+}
+
 }  // namespace
 
 std::string warningLine(const SourcePlace& where, const std::string& text) { return at(where) + ": " + text; }
@@ -260,6 +271,7 @@ std::vector<std::string> sceneWarnings(const Scene& s) {
   addMaterialsWithoutHeat(s, lines);
   addCrushedSolids(s, lines);
   addWeightlessLiquid(s, lines);
+  addUnbalancedBuoyancy(s, lines);
   addEndlessCooling(s, lines);
   addSlowSurfaceFlow(s, lines);
   for (const std::string& line : surfaceAdvice(s)) lines.push_back(line);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/heat/sources/heat_sources.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace thaw::test {
@@ -266,6 +267,17 @@ TEST(HeatSources, MoveAtMostHalfASpacingInAStep) {
   run.step();
   EXPECT_LE(run.w.clock.dt, 0.025 / 800 * (1 + 1e-12));
   EXPECT_EQ(run.limitedBy, Limit::Heat);
+}
+
+TEST(HeatSources, LimitTheStepInWhichTheyBeginToMove) {
+  Scene s = block();
+  s.lasers = {laserAt({-0.4, 0, 0}, 0.01)};
+  s.lasers[0].motion = {{1, {}, {}}, {1.001, {0.8, 0, 0}, {}}, {3, {0.8, 0, 0}, {}}};
+  EXPECT_NEAR(lightStepLimit(s, 0), 1 + 0.025 / 800, 1e-12);
+  EXPECT_NEAR(lightStepLimit(s, 1.0005), 0.025 / 800, 1e-12);
+  EXPECT_EQ(lightStepLimit(s, 1.001), never);
+  s.lasers[0].end = 1;
+  EXPECT_EQ(lightStepLimit(s, 0), never);
 }
 
 }  // namespace thaw::test

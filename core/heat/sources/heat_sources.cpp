@@ -42,12 +42,20 @@ void absorb(const HeatView& w, const std::vector<double>& received, double dt, S
   }
 }
 
-/// Returns the largest step (s) in which a source with the rest position x (m) moves at most `most` (m).
+/// Returns the largest step (s) in which a source with the rest position x (m) moves at most `most` (m), also
+/// where it begins to move within the step.
 template<class Source> double limitOf(const Source& source, const Vec3d& x, double time, double most) {
-  if (time >= source.end || source.motion.empty()) return never;
-  const Pose pose = poseAt(source.motion, time);
-  const double speed = length(velocityAt(pose, fromRest(pose, x)));
-  return speed > 0 ? most / speed : never;
+  double at = time, left = most;
+  for (const Keyframe& next : source.motion) {
+    const double until = std::min(next.time, source.end);
+    if (!(until > at)) continue;
+    const Pose pose = poseAt(source.motion, at);
+    const double speed = length(velocityAt(pose, fromRest(pose, x)));
+    if (speed * (until - at) > left) return at - time + left / speed;
+    left -= speed * (until - at);
+    at = until;
+  }
+  return never;
 }
 
 }  // namespace

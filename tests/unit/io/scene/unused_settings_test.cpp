@@ -54,6 +54,23 @@ TEST(UnusedSettings, OfWeldsOfRigidWithElasticSolidsAreReported) {
   EXPECT_TRUE(warningsOf("law = \"rigid\"", jelly + "weld = true\n" + body).empty());
 }
 
+TEST(SceneWarnings, NameBuoyancyThatNothingBalances) {
+  const auto scene = [](const std::string& sides) {
+    return sceneWarnings(readScene(sceneFilesOf(
+        "s.toml",
+        "spacing = 0.1\nend = 1\n[domain]\nmin = [-0.5, -0.5, -0.5]\nmax = [0.5, 0.5, 0.5]\n"
+        "gravity = [0, 0, -9.81]\nsides = " +
+            sides +
+            "\n[material.m]\nviscosity = 1\nexpansion = 1e-3\nconductivity = 1\nheat_capacity = 1\n"
+            "[numerics]\nbuoyancy = \"boussinesq\"\n[[body]]\nname = \"b\"\nmaterial = \"m\"\n"
+            "box = { size = [1, 1, 1] }\ntemperature = 300\ntemperature_gradient = [1, 0, 0]\n")));
+  };
+  const std::vector<std::string> lines = scene("{ x = \"periodic\", y = \"periodic\", z = \"periodic\" }");
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_NE(lines[0].find("the domain is periodic along gravity, so nothing balances"), std::string::npos);
+  EXPECT_TRUE(scene("{ x = \"periodic\", y = \"periodic\", z = \"wall\" }").empty());
+}
+
 TEST(UnusedSettings, OfSprayWithoutASurfaceAreReported) {
   EXPECT_EQ(warningsOf(liquid, "[output]\nspray = \"hide\"\n"),
             std::vector<std::string>{"s.toml: `output.spray` has no effect without a table [surface]"});
