@@ -20,24 +20,13 @@ struct NormalBasis {
   std::size_t count = 0;
 };
 
-/// Returns true if the nearest point of a wall lies on the plane of a nearer one, as that of the next box of
-/// a floor of boxes does.
-bool isFlush(const WallContact& c, std::span<const WallContact> contacts, double spacing) {
-  constexpr double flush = 0.05;  // spacings
-  return std::any_of(contacts.begin(), contacts.end(), [&](const WallContact& o) {
-    return (o.distance < c.distance || (o.distance == c.distance && &o < &c)) &&
-           o.distance - c.distance * dot(o.normal, c.normal) < flush * spacing;
-  });
-}
-
 /// Returns the basis for walls nearer than `reach` (m). In a wedge, normals that are not orthogonal must not
 /// be used one after the other: the second would undo part of what the first did.
-NormalBasis normalBasis(std::span<const WallContact> contacts, double reach, double spacing) {
+NormalBasis normalBasis(std::span<const WallContact> contacts, double reach) {
   constexpr double sameDirection = 0.02;  // sine of the angle between normals that count as one
   NormalBasis b;
   for (const WallContact& c : contacts) {
     if (!(c.distance < reach) || b.count == b.axis.size()) continue;
-    if (contacts.size() > 1 && isFlush(c, contacts, spacing)) continue;
     Vec3d n = c.normal;
     for (std::size_t k = 0; k < b.count; k++) n -= b.axis[k] * dot(n, b.axis[k]);
     if (length(n) > sameDirection) b.axis[b.count++] = normalized(n);
@@ -59,7 +48,7 @@ Sym3d alongWall(const Sym3d& moment, const Vec3d& n) {
 Vec3d alongWalls(Vec3d v, std::span<const WallContact> contacts, double spacing) {
   // distance in spacings within which a wall is adjacent
   constexpr double wallLayer = 1.2;
-  const NormalBasis b = normalBasis(contacts, wallLayer * spacing, spacing);
+  const NormalBasis b = normalBasis(contacts, wallLayer * spacing);
   for (std::size_t k = 0; k < b.count; k++) v -= b.axis[k] * dot(v, b.axis[k]);
   return v;
 }
@@ -133,7 +122,7 @@ void addWallsTo(const void* context, std::uint32_t row, CarryRow& r) {
   r.rate += 0.5 * r.liquidFraction * rates;
   r.atSurface = r.liquidFraction > 0 &&
                 length(alongWalls(r.gradient, mine, x.scene.spacing)) > surfaceAsymmetry * r.gradientSize;
-  const NormalBasis normals = normalBasis(mine, h, x.scene.spacing);
+  const NormalBasis normals = normalBasis(mine, h);
   for (std::size_t k = 0; k < normals.count; k++) r.moment = alongWall(r.moment, normals.axis[k]);
 }
 
