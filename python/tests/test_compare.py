@@ -32,7 +32,8 @@ def assertSame(result: thaw.Comparison, a: str, b: str, *options: str) -> None:
         f = different[name]
         assert (f.rows, f.ids) == (rows, ids), name
         assert f.largest == pytest.approx(largest, rel=0.01), name
-        assert 0 < f.rms <= f.largest * 3**0.5
+        assert (f.rms > 0) == (f.largest > 0), name  # zeros of unlike sign differ by 0
+        assert f.rms <= f.largest * 3**0.5
 
 
 def test_runs_on_other_numbers_of_ranks_are_equal(drops: str, dropsOnThreeRanks: str) -> None:
