@@ -164,9 +164,9 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
   /// Velocity of shifting (m/s), along -grad C (LXSR12). The speed is at most CarryStep::shifting
   /// times the speed of sound. Below it follows what makes disorder: strain, and tension (speed of
   /// sqrt(|p| / rho)), so that liquid at rest is left alone. Particles at the free surface stay; those beside
-  /// it do not move towards it (S17 eq. 20), and stay where a wall is near: at the edge of a drop, tension
-  /// would pull them back and gain energy. Particles beside a solid are shifted only along it: shifting must
-  /// keep the gap, since a few per cent of the displaced volume decide whether the solid floats.
+  /// it do not move towards it (S17 eq. 20). Particles beside a solid are shifted only along it:
+  /// shifting must keep the gap, since a few per cent of the displaced volume decide whether the solid
+  /// floats.
   THAW_INLINE void shift() {
     const L zero(0.0);
     L speed = L(x.shifting) * soundSpeed;
@@ -192,9 +192,7 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     if (!x.walls.beside) return;
     for (int l = 0; l < at.count; l++)
       if (awake >> l & 1 && x.walls.beside[at.row[l]])
-        x.shiftingVelocity[at.row[l]] = besideSurface[l] > 0
-                                            ? Vec3d{}
-                                            : x.walls.along(x.walls.context, at.row[l], laneAt(u, l));
+        x.shiftingVelocity[at.row[l]] = x.walls.along(x.walls.context, at.row[l], laneAt(u, l));
   }
 
   /// Inverse moment minus 1, times the interior weight: 0 up to a summed relative density of 0.9 (truncated
