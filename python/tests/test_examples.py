@@ -131,6 +131,7 @@ def test_a_study_continues_after_it_was_killed(tmp_path: pathlib.Path) -> None:
     cut = subprocess.Popen(line, env=env, stdout=subprocess.PIPE, text=True, start_new_session=True)
     assert cut.stdout and 'steps' in cut.stdout.readline()  # the first run is complete
     os.killpg(cut.pid, signal.SIGKILL)
+    cut.stdout.read()  # its end comes when all workers have ended
     cut.wait()
     done = {f: f.stat().st_mtime_ns for f in (tmp_path / 'cut').glob('*/summary.json') if isDone(f)}
     assert 1 <= len(done) < 12
