@@ -136,9 +136,7 @@ Scene vortices(double end) {
   s.domain.max = {1, 1, 0.25};
   s.bodies.clear();
   test::addBox(s, {0, 0, 0}, {1, 1, 0.25}).packing = Packing::Relaxed;
-  s.numerics.density = DensityForm::Continuity;
-  s.numerics.tensileLimit = 1;
-  s.numerics.shifting = 0.2;
+  test::carryDensity(s, 0.2);
   s.end = end;
   return s;
 }

@@ -22,9 +22,7 @@ Scene cubeOf(int n, bool floor) {
   s.obstacles.clear();
   if (floor) s.domain.side[2][0] = Side::Wall;
   s.materials[0].soundSpeed = 10;
-  s.numerics.density = DensityForm::Continuity;
-  s.numerics.tensileLimit = 1;
-  s.numerics.shifting = 0.2;
+  test::carryDensity(s, 0.2);
   s.bodies.clear();
   const double size = 0.1 * n;
   test::addBox(s, {0, 0, 0}, {size, size, size});

@@ -17,9 +17,7 @@ using std::numbers::pi;
 
 Scene withCurvature(Scene s) {
   s.numerics.tension = TensionForm::Curvature;
-  s.numerics.density = DensityForm::Continuity;
-  s.numerics.shifting = 0.2;
-  s.numerics.tensileLimit = 1;
+  carryDensity(s, 0.2);
   return s;
 }
 

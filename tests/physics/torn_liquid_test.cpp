@@ -21,9 +21,7 @@ struct Tear {
 Scene torn(const Tear& t) {
   const double far = 20 * t.size.z;
   Scene s = test::emptyScene(t.spacing, {-far, -far, -far}, {far, far, far});
-  s.numerics.density = DensityForm::Continuity;
-  s.numerics.tensileLimit = 1;
-  s.numerics.shifting = t.tension > 0 ? 0.02 : 0.2;
+  test::carryDensity(s, t.tension > 0 ? 0.02 : 0.2);
   s.materials.emplace_back();
   s.materials[0].density = 1500;
   s.materials[0].viscosity = {t.viscosity, t.viscosity};
@@ -62,9 +60,7 @@ TEST(TornLiquid, WorkOfShiftingAgainstTensionIsRecorded) {
 TEST(TornLiquid, ThinJetGainsNoEnergy) {
   Scene s = test::emptyScene(4e-3, {-0.08, -0.08, -0.01}, {0.08, 0.08, 0.22});
   s.domain.gravity = {0, 0, -9.81};
-  s.numerics.density = DensityForm::Continuity;
-  s.numerics.tensileLimit = 1;
-  s.numerics.shifting = 0.2;
+  test::carryDensity(s, 0.2);
   s.materials.emplace_back();
   s.materials[0].density = 1300;
   s.materials[0].viscosity = {1, 1};

@@ -71,6 +71,13 @@ inline Scene emptyScene(double spacing, const Vec3d& low, const Vec3d& high) {
   return s;
 }
 
+/// Lets liquids have carried densities, tension inside and shifting, as the defaults for free surfaces do.
+inline void carryDensity(Scene& s, double shifting) {
+  s.numerics.density = DensityForm::Continuity;
+  s.numerics.tensileLimit = 1;
+  s.numerics.shifting = shifting;
+}
+
 /// A scene of one material without gravity, periodic along x and y over six spacings, open along z.
 inline Scene columnScene(double spacing, double zLow, double zHigh) {
   Scene s = emptyScene(spacing, {0, 0, zLow}, {6 * spacing, 6 * spacing, zHigh});

@@ -17,9 +17,7 @@ Scene water(const Vec3d& low, const Vec3d& high, const Vec3d& velocity) {
   Scene s = emptyScene(spacing, {-3, 0, -3}, {3, width, 3});
   s.domain.side[1] = {Side::Periodic, Side::Periodic};
   s.domain.gravity = {0, 0, -9.81};
-  s.numerics.density = DensityForm::Continuity;
-  s.numerics.tensileLimit = 1;
-  s.numerics.shifting = 0.07;
+  carryDensity(s, 0.07);
   s.numerics.cflSound = 0.2;
   s.materials.emplace_back();
   s.materials[0].viscosity = {1e-3, 1e-3};

@@ -25,9 +25,7 @@ Scene liquidInto(const Wedge& wedge) {
   Scene s = emptyScene(spacing, {-2, 0, -0.5}, {3, width, 3.5});
   s.domain.side[1] = {Side::Periodic, Side::Periodic};
   s.domain.gravity = {0, 0, -9.81};
-  s.numerics.density = DensityForm::Continuity;
-  s.numerics.tensileLimit = 1;
-  s.numerics.shifting = 0.07;
+  carryDensity(s, 0.07);
   s.materials.emplace_back();
   s.materials[0].density = 2700;
   s.materials[0].viscosity = {wedge.viscosity, wedge.viscosity};

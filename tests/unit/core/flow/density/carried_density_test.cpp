@@ -21,9 +21,7 @@ Scene liquidInACorner(bool solid) {
   s.materials[0].name = "water";
   s.materials[0].viscosity = {1, 1};
   s.materials[0].soundSpeed = 30;
-  s.numerics.density = DensityForm::Continuity;
-  s.numerics.tensileLimit = 1;
-  s.numerics.shifting = 0.2;
+  test::carryDensity(s, 0.2);
   s.numerics.overlap = OverlapRule::RemoveLater;
   if (solid) {
     s.materials[1].name = "rubber";

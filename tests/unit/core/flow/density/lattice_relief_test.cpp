@@ -24,9 +24,7 @@ Scene cubeInLiquid() {
   s.materials[1].name = "water";
   s.materials[1].viscosity = {0, 0};
   s.materials[1].soundSpeed = soundSpeed;
-  s.numerics.density = DensityForm::Continuity;
-  s.numerics.tensileLimit = 1;
-  s.numerics.shifting = 0.2;
+  test::carryDensity(s, 0.2);
   s.numerics.correctedGradients = true;
   s.numerics.overlap = OverlapRule::RemoveLater;
   test::addBox(s, {0.3, 0.3, 0.3}, {0.7, 0.7, 0.7}).material = 0;
