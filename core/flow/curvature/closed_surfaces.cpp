@@ -9,6 +9,7 @@
 #include "core/flow/curvature/surface_loops.hpp"
 #include "core/halo/exchange.hpp"
 #include "core/halo/spread_labels.hpp"
+#include "core/rigid/contact/fixed_sum.hpp"
 #include "core/rigid/piece_sums.hpp"
 #include "core/walls/wall_forces.hpp"
 
@@ -66,8 +67,7 @@ Units commonUnits(const CurvatureContext& x, const std::vector<Vec3d>& force) {
   }
   x.all.maximum(most);
   const auto unit = [](double value) {
-    const bool usable = value > 0 && std::isfinite(value);
-    return usable ? std::ldexp(1.0, std::max(std::ilogb(value) + 1 - summandBits, -1000)) : 1;
+    return value > 0 && std::isfinite(value) ? FixedUnit::forScale(value, summandBits).unit : 1;
   };
   return {unit(most[0]), unit(most[1])};
 }

@@ -137,8 +137,8 @@ void sortRows(ContactIsland& s, std::vector<std::uint32_t>& place) {
   s.pieces = std::move(pieces);
 }
 
-/// Sorts contacts by their particles. Those of a particle with an obstacle, or with several faces and edges
-/// of another one, differ by their normals, gaps and points.
+/// Sorts contacts by their particles. Contacts of one particle with an obstacle, or with faces and edges of
+/// one other particle, differ by their normals, gaps and points.
 void sortContacts(ContactIsland& s, std::vector<std::uint32_t>& place) {
   std::vector<std::uint32_t> order(s.contacts.size());
   std::iota(order.begin(), order.end(), 0u);

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "core/math/tangent.hpp"
+
 namespace thaw {
 namespace {
 
@@ -25,12 +27,7 @@ struct Across {
 };
 
 Across across(const Vec3d& to) {
-  int least = 0;
-  for (int a = 1; a < 3; a++)
-    if (std::abs(to[a]) < std::abs(to[least])) least = a;
-  Vec3d e;
-  e[least] = 1;
-  const Vec3d first = normalized(cross(to, e));
+  const Vec3d first = normalized(cross(to, leastAxis(to)));
   return {first, cross(normalized(to), first)};
 }
 

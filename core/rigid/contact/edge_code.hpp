@@ -14,7 +14,7 @@ SurfaceElement elementOfEdge(double offset, const SharpEdge& edge, double spacin
 /// Returns the sharp edge or corner of a round element; none if it is round in all directions.
 SharpEdge edgeOf(const SurfaceElement& element, double spacing);
 
-/// Returns the element with its directions turned.
+/// Returns the element with its directions turned. Rounds them anew.
 SurfaceElement turned(const SurfaceElement& element, const Quat& rotation);
 
 }  // namespace thaw

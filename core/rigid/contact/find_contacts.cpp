@@ -29,8 +29,7 @@ constexpr double lookAhead = 1.5;  // steps; motions change within the step
 bool isAsleep(const ContactSearch& s, std::size_t i) { return s.pieces.asleep[s.particles.pieceRow[i]] != 0; }
 
 bool mayClose(const ContactSearch& s, std::span<const PieceMotion> motion, const RigidContact& c) {
-  const Vec3d other = c.b == noPiece ? c.otherVelocity : velocityAtArm(motion[c.b], c.armB);
-  const double approach = -dot(velocityAtArm(motion[c.a], c.armA) - other, c.normal);
+  const double approach = -dot(relativeVelocity(c, motion), c.normal);
   return c.gap < nearGap * s.scene.spacing + lookAhead * s.step * std::max(0.0, approach);
 }
 
@@ -304,8 +303,8 @@ bool touchesFace(const PlacedElement& a, const WithinEdges& at, double gap, doub
 }
 
 /// Ends faces at their edges. Faces with round edges have bevels: from flatEdge on, the gap of a particle
-/// beyond the face grows, up to that of two spheres at roundEdge. The normal is the gradient of the gap, so
-/// that sliding changes no overlap that the normal velocity does not show. From roundEdge on, drops the
+/// beyond the face grows, up to that of two spheres at roundEdge. The normal is the gradient of the gap:
+/// sliding then changes no overlap that the normal velocity does not show. From roundEdge on, drops the
 /// contact: edges touch there instead.
 void endFaces(const Search& s, const PlacedElement& a, std::vector<Candidate>& candidates) {
   const double flat = flatEdge * s.in.scene.spacing;

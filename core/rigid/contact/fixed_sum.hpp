@@ -15,9 +15,9 @@ namespace thaw {
 struct FixedUnit {
   double unit = 1;
 
-  /// The unit that resolves `scale` > 0 to 2^-54 and has room for terms of 2^28 scales.
-  static FixedUnit forScale(double scale) {
-    return {std::ldexp(1.0, std::clamp(std::ilogb(scale) - 53, -1000, 900))};
+  /// The unit that resolves `scale` > 0 to 2^-bits; with 54 bits, sums have room for terms of 2^28 scales.
+  static FixedUnit forScale(double scale, int bits = 54) {
+    return {std::ldexp(1.0, std::clamp(std::ilogb(scale) + 1 - bits, -1000, 900))};
   }
 };
 

@@ -97,11 +97,6 @@ void rebound(Impacts& m, std::vector<Rebound>& round, double tolerance) {
 
 }  // namespace
 
-Vec3d relativeVelocity(const RigidContact& c, std::span<const PieceMotion> pieces) {
-  const Vec3d u = velocityAtArm(pieces[c.a], c.armA);
-  return u - (c.b == noPiece ? c.otherVelocity : velocityAtArm(pieces[c.b], c.armB));
-}
-
 ImpactTargets simultaneousImpacts(const ContactIsland& island, const ContactSettings& settings) {
   ImpactTargets t;
   for (const RigidContact& c : island.contacts)
@@ -116,14 +111,13 @@ ImpactTargets successiveImpacts(const ContactIsland& island, const ContactSettin
   std::vector<Rebound> round;
   std::vector<double> impulse(t.speed.size(), 0);
   double fastest = findHits(m, settings, round);
-  for (int k = 0; k < mostRounds && !round.empty(); k++) {
-    t.spread = k > 0;
+  int rounds = 0;
+  for (; rounds < mostRounds && !round.empty(); rounds++) {
     rebound(m, round, std::max(0.01 * settings.tolerance, roundTolerance * fastest));
     for (const Rebound& r : round) impulse[r.contact] += r.impulse;
     fastest = findHits(m, settings, round);
   }
-  if (!round.empty()) return simultaneousImpacts(island, settings);
-  if (!t.spread) return t;
+  if (!round.empty() || rounds < 2) return t;
   for (std::size_t i = 0; i < t.speed.size(); i++) {
     const RigidContact& c = island.contacts[i];
     t.speed[i] = -roomOf(c, settings);

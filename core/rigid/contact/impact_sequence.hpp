@@ -10,8 +10,7 @@ namespace thaw {
 
 struct ImpactTargets {
   std::vector<double> speed;    ///< m/s, least normal velocity of each contact after the step
-  bool spread = false;          ///< impacts caused others
-  std::vector<double> impulse;  ///< N s, normal impulses of those impacts; empty if none did
+  std::vector<double> impulse;  ///< N s, normal impulses of impacts that caused others; empty: none did
 };
 
 /// Returns the targets of Newton's law, where all contacts rebound at once.
@@ -21,8 +20,5 @@ ImpactTargets simultaneousImpacts(const ContactIsland& island, const ContactSett
 /// without friction, then those that approach as a result, until none does. Without restitution, where
 /// impacts cause no others, or where they do not end, the targets are those of Newton's law.
 ImpactTargets successiveImpacts(const ContactIsland& island, const ContactSettings& settings);
-
-/// Returns the velocity (m/s) of the first side of a contact relative to the second one.
-Vec3d relativeVelocity(const RigidContact& contact, std::span<const PieceMotion> pieces);
 
 }  // namespace thaw

@@ -2,6 +2,7 @@
 // Data that the contact solver of rigid pieces reads and returns.
 #pragma once
 #include <cstdint>
+#include <span>
 
 #include "core/math/mat3.hpp"
 #include "core/math/vec3.hpp"
@@ -42,6 +43,12 @@ struct RigidContact {
   Vec3d impulse{};         ///< N s, on a; in: first guess, for example that of the last step; out: the result
   Vec3d angularImpulse{};  ///< N m s, on a, of rolling friction; in and out as the impulse
 };
+
+/// Velocity (m/s) of the first side of a contact relative to the second one.
+inline Vec3d relativeVelocity(const RigidContact& c, std::span<const PieceMotion> rows) {
+  const Vec3d u = velocityAtArm(rows[c.a], c.armA);
+  return u - (c.b == noPiece ? c.otherVelocity : velocityAtArm(rows[c.b], c.armB));
+}
 
 /// Change of a row by the solver. Pieces that touch nothing have zeros.
 struct PieceChange {

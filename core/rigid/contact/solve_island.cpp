@@ -75,13 +75,8 @@ Vec3d changeOf(const Problem& p, const Rolling& r) {
 }
 
 void setAxes(Contact& c, const Vec3d& normal) {
-  int least = 0;
-  for (int a = 1; a < 3; a++)
-    if (std::abs(normal[a]) < std::abs(normal[least])) least = a;
-  Vec3d e;
-  e[least] = 1;
   c.axis[0] = normal;
-  c.axis[1] = normalized(cross(normal, e));
+  c.axis[1] = normalized(cross(normal, leastAxis(normal)));
   c.axis[2] = cross(normal, c.axis[1]);
 }
 
@@ -315,7 +310,7 @@ Problem problemOf(const ContactIsland& island, const ImpactTargets& targets) {
     c.friction = from.friction;
     setAxes(c, from.normal);
     setResponse(p.pieces, c);
-    const double hit = targets.spread ? targets.impulse[i] : 0;
+    const double hit = targets.impulse.empty() ? 0 : targets.impulse[i];
     if (c.response[0][0] > 0) setImpulse(c, from.impulse + hit * from.normal);
     if (!(from.rolling > 0)) continue;
     Rolling r = rollingOf(from, p.pieces[c.a], c.b == noPiece ? nullptr : &p.pieces[c.b]);
@@ -431,7 +426,7 @@ bool gainsEnergy(const Velocities& v) {
 Velocities solveVelocities(const ContactIsland& island, const ContactSettings& settings) {
   const ImpactTargets targets = successiveImpacts(island, settings);
   Velocities v = solveVelocities(island, settings, targets);
-  if (!targets.spread || !gainsEnergy(v)) return v;
+  if (targets.impulse.empty() || !gainsEnergy(v)) return v;
   return solveVelocities(island, settings, simultaneousImpacts(island, settings));
 }
 
