@@ -2,6 +2,7 @@
 // Liquid that flows into a wedge between a floor and a slope.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -63,8 +64,14 @@ TEST(LiquidInAWedge, HasNeitherShiftingNorCorrectedGradientsAcrossWalls) {
     while (r.w.clock.time < r.w.clock.end) {
       ASSERT_TRUE(r.step());
       for (const WallContact& c : r.tools.wallContacts.list) {
-        between += contactsOf(r.tools.wallContacts, c.row).size() > 1;
-        correction = std::max(correction, length(wide(p.midCorrection[c.row]) * c.normal));
+        const std::span<const WallContact> all = contactsOf(r.tools.wallContacts, c.row);
+        between += all.size() > 1;
+        const bool nearest = std::ranges::all_of(all, [&](auto&o) { return !(o.distance < c.distance); }),
+                   inside = std::ranges::all_of(all,
+                                                [&](auto&o) { return o.distance < 0.5 * r.w.grid.support; });
+        const Vec3d byNormal = wide(p.midCorrection[c.row]) * c.normal;
+        if (nearest) correction = std::max(correction, std::abs(dot(c.normal, byNormal)));
+        if (inside && all.size() > 1) correction = std::max(correction, length(byNormal));
         if (c.distance < r.w.scene.spacing)
           shifted = std::max(shifted, std::abs(dot(p.shiftingVelocity[c.row], c.normal)));
       }
