@@ -46,6 +46,7 @@ TEST(Mixed, SolidFallsIntoALiquid) {
   Body& b = addBox(s, {0.03, 0.03, 0.09}, {0.09, 0.09, 0.13});
   b.material = 1;
   b.velocity = {0, 0, -1};
+  s.numerics.cflSound = 0.2;  // the energy lost by drag in an impact has an error of first order
   s.end = 0.3;
   Simulation run(s);
   double least = 1;
@@ -60,7 +61,7 @@ TEST(Mixed, SolidFallsIntoALiquid) {
 }
 
 // A liquid on a solid bottom. Layers of an unmixed lattice carry pressure unevenly (the bottom one twice its
-// share), so only the mean over layers is hydrostatic.
+// share). Only the means of adjacent layers are hydrostatic, so the first and the last layer count by half.
 TEST(Mixed, LiquidRestsOnASolid) {
   Scene s = poolAndRubber();
   s.domain.max = {0.06, 0.06, 0.3};
@@ -81,10 +82,11 @@ TEST(Mixed, LiquidRestsOnASolid) {
       continue;
     }
     bottom = std::min(bottom, z);
-    if (z < 0.08 || z > 0.16) continue;
-    pressure += static_cast<double>(
-        pressureOfParticle(run.w.scene, run.w.modules, run.w.particles, run.tools.liquids, i));
-    exact += 1000 * 9.81 * (top - z);
+    if (z < 0.08 || z > 0.17) continue;
+    const double weight = z < 0.09 || z > 0.16 ? 0.5 : 1;
+    pressure += weight * static_cast<double>(pressureOfParticle(run.w.scene, run.w.modules, run.w.particles,
+                                                                run.tools.liquids, i));
+    exact += weight * 1000 * 9.81 * (top - z);
   }
   EXPECT_NEAR(pressure, exact, 0.02 * exact);
   EXPECT_GT(closest(p), 0.9 * s.spacing);

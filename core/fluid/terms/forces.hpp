@@ -2,6 +2,7 @@
 // Pressure, viscosity and heat conduction of liquids. One term of the pair sums (term.hpp). One liquid:
 // uniform_forces.hpp. Incompressible: incompressible.hpp. Walls: core/walls/.
 #pragma once
+#include "core/fluid/terms/pair_viscosity.hpp"
 #include "core/fluid/terms/term.hpp"
 #include "core/kernels/viscous_weight.hpp"
 
@@ -117,9 +118,8 @@ struct Forces {
       s.z -= wide(pressure * dz + m * uz);
       s.dissipated += mu * (ux * ux + uy * uy + uz * uz);
     } else {
-      const L mean = L(2.0) * mui * muj / max(mui + muj, L(1e-30));
       const L approach = dot3(ux, uy, uz, dx, dy, dz);
-      const L mu = pairLiquidFraction * mean * VV * weightAt(viscousWeight, q) * approach /
+      const L mu = pairViscosity(mui, muj, fi, fj) * VV * weightAt(viscousWeight, q) * approach /
                    (r2 + L(1e-6 / (unit * unit)));
       const L f = fma(viscousScale, mu, pressure);
       s.x -= wide(f * dx);

@@ -2,6 +2,7 @@
 // The viscous forces of forces.hpp as a linear operator on a velocity, for the implicit solver. One term of
 // the pair sums (term.hpp).
 #pragma once
+#include "core/fluid/terms/pair_viscosity.hpp"
 #include "core/fluid/terms/term.hpp"
 #include "core/kernels/viscous_weight.hpp"
 
@@ -59,10 +60,8 @@ template<class Real, ViscousPass pass> struct ViscousOperator {
             dy = positionDifference(i.positionVolume.b, j.positionVolume.b),
             dz = positionDifference(i.positionVolume.c, j.positionVolume.c);
     const L q2 = dx * dx + dy * dy + dz * dz;
-    const LanesF pairLiquidFraction = i.liquid + j.liquid - i.liquid * j.liquid;
-    const LanesF mean = LanesF(2.0f) * (i.viscosity * j.viscosity) /
-                        max(i.viscosity + j.viscosity, LanesF(1e-30f));
-    const L c = i.positionVolume.d * j.positionVolume.d * Widened<Real>::of(pairLiquidFraction * mean) *
+    const LanesF viscosity = pairViscosity(i.viscosity, j.viscosity, i.liquid, j.liquid);
+    const L c = i.positionVolume.d * j.positionVolume.d * Widened<Real>::of(viscosity) *
                 alongPair(weight, q2) / (q2 + L(1e-6));
     const LanesD ex = widen(dx), ey = widen(dy), ez = widen(dz);
     const LanesD approach = (i.velocity.a - j.velocity.a) * ex + (i.velocity.b - j.velocity.b) * ey +

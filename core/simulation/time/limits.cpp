@@ -47,12 +47,6 @@ double largestDiffusivity(const Scene& s, const Material& m) {
   return largest;
 }
 
-/// Viscosity (Pa s) between two particles, as in the forces (terms/forces.hpp).
-double pairViscosity(const Numerics& n, double a, double b) {
-  if (n.viscosity == ViscosityForm::Laplacian) return 0.5 * (a + b);
-  return a + b > 0 ? 2 * a * b / (a + b) : 0;
-}
-
 double largestViscosity(const Scene& s, const Material& m) {
   if (hasFlowLaw(m)) return largestFlowViscosity(s, m);
   if (m.viscosityTable.empty()) return std::max(m.viscosity.solid, m.viscosity.liquid);
@@ -63,18 +57,23 @@ double largestViscosity(const Scene& s, const Material& m) {
 
 /// Returns the viscosity (Pa s) that limits the step of particles of material k with viscosity mu; their
 /// velocity change depends on their own mass alone (docs/validation/stability.md, row 12). Between liquids of
-/// the pairwise form it is mu. Next to a thicker, nearly static liquid the harmonic mean is up to twice as
-/// large. Yet the fastest wave among equal particles, with opposite motion of neighbours, is as fast
-/// (tests/stability: LightParticlesInAThickLiquid). The arithmetic mean of the printed form has no such
-/// bound; solids interact with liquids only.
+/// the pairwise form it is mu. Next to a thicker, nearly static liquid or a solid, the viscosity of a pair is
+/// up to twice as large. Yet the fastest wave among equal particles, with opposite motion of neighbours, is
+/// as fast (tests/stability: LightParticlesInAThickLiquid). For the same reason, that of a solid is the
+/// largest one of the other liquids; those with a table or a flow law are left to particleLimits. The
+/// arithmetic mean of the printed form has no such bound.
 double viscosityOfStep(const Scene& s, std::size_t k, double mu) {
   const bool liquid = canBeLiquid(s.materials[k]), printed = s.numerics.viscosity == ViscosityForm::Laplacian;
-  double pairs = 0;
+  if (!printed && !s.materials[k].canBeSolid()) return mu;
+  double pairs = liquid ? mu : 0;
   for (std::size_t j = 0; j < s.materials.size(); j++)
-    if (j != k && inUse(s, j) && (liquid || canBeLiquid(s.materials[j])))
-      pairs = std::max(pairs, pairViscosity(s.numerics, mu, largestViscosity(s, s.materials[j])));
-  if (printed) return liquid ? std::max(mu, pairs) : pairs;
-  return liquid ? mu : std::min(mu, pairs);
+    if (j != k && inUse(s, j) && (liquid || canBeLiquid(s.materials[j]))) {
+      const Material& m = s.materials[j];
+      const double other = largestViscosity(s, m);
+      if (printed) pairs = std::max(pairs, 0.5 * (mu + other));
+      else if (m.viscosityTable.empty() && !hasFlowLaw(m)) pairs = std::max(pairs, other);
+    }
+  return pairs;
 }
 
 }  // namespace
@@ -146,6 +145,14 @@ double largestViscosityHere(const World& w, std::size_t material) {
   return hasFlowLaw(m) ? std::max(m.flowLaw.exponent, 1.0) * mu : mu;
 }
 
+/// Smallest density (kg/m^3) of particles that material k drags along: its own, and those of solids.
+double leastDensityNear(const Scene& s, std::size_t k) {
+  double least = leastDensityOf(s.materials[k]);
+  for (std::size_t j = 0; j < s.materials.size(); j++)
+    if (inUse(s, j) && s.materials[j].canBeSolid()) least = std::min(least, leastDensityOf(s.materials[j]));
+  return least;
+}
+
 }  // namespace
 
 bool mayBeDry(const Scene& s, const Modules& modules) {
@@ -175,16 +182,21 @@ StepLimits particleLimits(const World& w, const LargestRates& largest, double st
   StepLimits l;
   const double h = w.grid.support;
   if (largest.speed2 > 0) l[Limit::Speed] = supportsPerStep * h / std::sqrt(largest.speed2);
-  if (largest.acceleration2 > 0)
-    l[Limit::Acceleration] = n.cflAcceleration * std::sqrt(h / std::sqrt(largest.acceleration2));
+  if (largest.acceleration2 > 0) {
+    // Incompressible liquid at rest falls in each half step and is stopped by the solver; at 1 it gains
+    // energy.
+    constexpr double incompressible = 0.6;
+    l[Limit::Acceleration] = (w.modules.incompressible ? incompressible : 1) * n.cflAcceleration *
+                             std::sqrt(h / std::sqrt(largest.acceleration2));
+  }
   for (std::size_t k = 0; k < w.scene.materials.size(); k++) {
     const Material& m = w.scene.materials[k];
     if ((m.viscosityTable.empty() && !hasFlowLaw(m)) || w.modules.implicitViscosity) continue;
     double mu = largestViscosityHere(w, k);
     if (mu > 0) mu = viscosityOfStep(w.scene, k, mu);
     if (mu > 0)
-      l[Limit::Viscous] = std::min(l[Limit::Viscous],
-                                   n.cflViscous * stableViscousStep * h * h * leastDensityOf(m) / mu);
+      l[Limit::Viscous] = std::min(
+          l[Limit::Viscous], n.cflViscous * stableViscousStep * h * h * leastDensityNear(w.scene, k) / mu);
   }
   return l;
 }
