@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/kernels/lattice.hpp"
 #include "core/kernels/viscous_weight.hpp"
@@ -55,17 +56,41 @@ template<class Kernel> WallIntegrals integralsOf(const Numerics& n, double visco
 }
 
 WallIntegrals rawIntegrals(const Numerics& n, double d) {
-  constexpr double scale = ViscousWeight{}.scale;  // continuum scale; perShearStress scales the drag
+  constexpr double scale = ViscousWeight{}.scale;  // any scale: dragAt scales the drag
   return withKernel(n.kernel, [&](auto kernel) { return integralsOf<decltype(kernel)>(n, scale, d); });
 }
 
-/// Inverse of the total drag on layers half a spacing and whole spacings above a wall, in a linear profile,
-/// per mu du/dz.
-double perShearStress(const Numerics& n) {
-  const double spacing = 1 / n.support;
-  double stress = 0;
-  for (double d = 0.5 * spacing; d < 1; d += spacing) stress += spacing * rawIntegrals(n, d).drag * d;
-  return stress > 0 ? 1 / stress : 1;
+/// Stress of the raw drag on a layer at the distance d (h) in a linear profile, any unit.
+double rawStress(const Numerics& n, double d) { return d < 1 ? rawIntegrals(n, d).drag * d : 0; }
+
+/// Share of the wall's shear stress that acts on a layer at the distance d (h). The shares of layers one
+/// spacing apart add up to 1, wherever the first one lies. Otherwise liquid whose first layer is nearly a
+/// spacing away would slip. First layers nearer than `nearest` occur in impacts only: there the shares of the
+/// layers behind vary linearly, so that a layer that approaches from outside meets no jump.
+double shareOfStress(const Numerics& n, double d) {
+  constexpr double nearest = 0.4;  // spacings
+  const double spacing = 1 / n.support, layer = std::floor(d * n.support), part = d * n.support - layer;
+  if (!(d > 0 && d < 1)) return 0;
+  if (part < nearest) {
+    const auto between = [&](double k) {
+      const double before = shareOfStress(n, (k - 1e-9) * spacing),
+                   after = shareOfStress(n, (k + nearest + 1e-9) * spacing);
+      return before + (after - before) * part / nearest;
+    };
+    if (layer > 0) return between(layer);
+    double behind = 0;
+    for (double k = 1; (k + part) * spacing < 1; k++) behind += between(k);
+    return 1 - behind;
+  }
+  double whole = 0;
+  for (double other = part * spacing; other < 1; other += spacing) whole += rawStress(n, other);
+  return whole > 0 ? rawStress(n, d) / whole : layer == 0 ? 1 : 0;
+}
+
+/// Drag (WallIntegrals::drag): the share of the stress per velocity. Inside of the wall that of its surface.
+double dragAt(const Numerics& n, double d) {
+  const double spacing = 1 / n.support, least = 0.05 * spacing, at = std::max(d, least);
+  return shareOfStress(n, at) / (spacing * at);
 }
 
 template<class Kernel> double secondMoment(double spacing) {
@@ -82,17 +107,16 @@ double perConduction(const Numerics& n) {
   return withKernel(n.kernel, [&](auto kernel) { return 1 / secondMoment<decltype(kernel)>(1 / n.support); });
 }
 
-WallIntegrals scaled(WallIntegrals w, double drag, double conduct) {
-  w.drag *= drag;
+WallIntegrals scaledAt(const Numerics& n, double d, double conduct) {
+  WallIntegrals w = rawIntegrals(n, d);
+  w.drag = dragAt(n, d);
   w.conduct *= conduct;
   return w;
 }
 
 }  // namespace
 
-WallIntegrals wallIntegrals(const Numerics& n, double d) {
-  return scaled(rawIntegrals(n, d), perShearStress(n), perConduction(n));
-}
+WallIntegrals wallIntegrals(const Numerics& n, double d) { return scaledAt(n, d, perConduction(n)); }
 
 WallIntegrals forLiquids(const WallIntegrals& w, double onLattice) {
   WallIntegrals liquid = w;
@@ -104,7 +128,7 @@ WallIntegrals forLiquids(const WallIntegrals& w, double onLattice) {
 }
 
 WallTables makeWallTables(const Numerics& n) {
-  const double spacing = 1 / n.support, drag = perShearStress(n), conduct = perConduction(n);
+  const double spacing = 1 / n.support, conduct = perConduction(n);
   WallTables t;
   t.lowest = -0.5 * spacing;
   t.nearest = 0.25 * spacing;
@@ -112,7 +136,7 @@ WallTables makeWallTables(const Numerics& n) {
   const WallIntegrals soft = forLiquids(rawIntegrals(n, softFrom), onLattice);
   for (int k = 0; k <= WallTables::points; k++) {
     const double d = t.lowest + (1 - t.lowest) * k / WallTables::points;
-    t.at.push_back(forLiquids(scaled(rawIntegrals(n, d), drag, conduct), onLattice));
+    t.at.push_back(forLiquids(scaledAt(n, d, conduct), onLattice));
     if (d < softFrom)
       t.at.back().relativeDensity = soft.relativeDensity + soft.push * (softFrom - d),
       t.at.back().push = soft.push;
