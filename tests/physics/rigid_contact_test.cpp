@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "tests/support/rigid/rig.hpp"
 
@@ -68,6 +69,24 @@ TEST(RigidContact, AFastBallRollsWithoutLoss) {
   }
   EXPECT_NEAR(rig.pieces[0].velocity.x, speed, 1e-3 * speed);
   EXPECT_NEAR(rig.pieces[0].centre.y, 0.04, 0.01 * spacing);
+}
+
+// The points of its rims close their gaps without impacts.
+TEST(RigidContact, ACylinderRollsWithoutBumps) {
+  const double radius = 0.5, speed = 5;
+  RigidRig rig(spacing, 14, 5e-3);
+  rig.setFriction(0.3, 0.5);
+  RigPiece wheel = pieceOf(RevolvedDistance(cylinderOutline(radius, 0.8)), spacing, 1000);
+  wheel.orientation = rotationBy({0.5 * std::numbers::pi, 0, 0});  // its axis is y
+  wheel.centre = {-12, 0.04, radius};
+  wheel.velocity = {speed, 0, 0};
+  wheel.angularMomentum = wheel.inertia.z * Vec3d{0, speed / radius, 0};
+  rig.pieces.push_back(wheel);
+  for (int n = 0; n < 300; n++) {
+    rig.step();
+    EXPECT_NEAR(rig.pieces[0].centre.z, radius, 0.01 * spacing);
+  }
+  EXPECT_NEAR(rig.pieces[0].velocity.x, speed, 0.01 * speed);
 }
 
 TEST(RigidContact, ABoxTopplesBeyondTheAngleOfItsEdge) {

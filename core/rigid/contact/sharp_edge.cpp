@@ -20,6 +20,10 @@ constexpr double endsWithin = 1.65;  // spacings, distance up to which the ends 
 
 constexpr std::size_t mostFaces = 6;  // more are parts of a curved surface
 
+constexpr double beside = 0.2;       // spacings, distance from the edge at which its two faces are sampled
+constexpr double straightFor = 0.6;  // spacings, along an edge from its nearest point
+constexpr double leastBend = 0.003;  // spacings; an edge that leaves its tangent by more is curved
+
 /// The plane n y = height through a face; y is relative to x.
 struct FacePlane {
   Vec3d n{};
@@ -60,6 +64,36 @@ Vec3d meet(const FacePlane& a, const FacePlane& b, const FacePlane& c) {
   return inverse(Mat3d{{a.n, b.n, c.n}}) * Vec3d{a.height, b.height, c.height};
 }
 
+/// Returns the edge of two faces at their own place: x + y lies on it up to the curvature of the faces. The
+/// planes are those that touch the faces beside it.
+SharpEdge edgeAt(const SignedDistance& shape, const Vec3d& x, Vec3d y, const FacePlane& a, const FacePlane& b,
+                 double spacing) {
+  Vec3d na = a.n, nb = b.n;
+  for (int pass = 0; pass < 2; pass++) {
+    const auto faceBeside = [&](const Vec3d& own, const Vec3d& other) {
+      const Vec3d at = y -
+                       spacing * (beside * normalized(other - dot(own, other) * own) + 0.1 * beside * own);
+      FacePlane f;
+      const double d = shape.distance(x + at, &f.n);
+      f.height = dot(f.n, at) - d;
+      return f;
+    };
+    const FacePlane fa = faceBeside(na, nb), fb = faceBeside(nb, na);
+    if (!(length(cross(fa.n, fb.n)) > leastAngle)) break;
+    na = fa.n, nb = fb.n;
+    const Vec3d along = normalized(cross(na, nb)), near = meet(fa, fb);
+    y = near + dot(y - near, along) * along;
+  }
+  return {y, normalized(cross(na, nb))};
+}
+
+/// Returns true if an edge leaves its tangent within the part that an element describes.
+bool isCurved(const SignedDistance& shape, const Vec3d& edge, const Vec3d& along, double spacing) {
+  const double s = straightFor * spacing;
+  return shape.distance(edge + s * along, nullptr) > leastBend * spacing &&
+         shape.distance(edge - s * along, nullptr) > leastBend * spacing;
+}
+
 /// Distance (m) from a point of an edge to its end in a direction; infinite if it is not near.
 double endAlong(const SignedDistance& shape, const Vec3d& edge, const Vec3d& direction, double spacing) {
   double at = endsWithin * spacing;
@@ -77,7 +111,8 @@ double endAlong(const SignedDistance& shape, const Vec3d& edge, const Vec3d& dir
 SharpEdge sharpEdge(const SignedDistance& shape, const Vec3d& x, double spacing) {
   const std::vector<FacePlane> f = facesAround(shape, x, spacing);
   if (f.size() > mostFaces) return {};
-  Vec3d best{}, along{};
+  Vec3d best{};
+  const FacePlane *first = nullptr, *second = nullptr;
   const auto nearer = [&](const Vec3d& y) { return best == Vec3d{} || dot(y, y) < dot(best, best); };
   const auto lies = [&](const Vec3d& y) {
     return length(y) < farthest * spacing && std::abs(shape.distance(x + y, nullptr)) < onSurface * spacing;
@@ -98,10 +133,13 @@ SharpEdge sharpEdge(const SignedDistance& shape, const Vec3d& x, double spacing)
       const Vec3d y = meet(f[a], f[b]);
       if (!nearer(y) || !lies(y) || !convex(f[a], f[b], y)) continue;
       best = y;
-      along = normalized(cross(f[a].n, f[b].n));
+      first = &f[a], second = &f[b];
     }
   if (best == Vec3d{}) return {};
-  return {best, along, endAlong(shape, x + best, along, spacing), endAlong(shape, x + best, -along, spacing)};
+  const SharpEdge edge = edgeAt(shape, x, best, *first, *second, spacing);
+  if (isCurved(shape, x + edge.to, edge.along, spacing)) return {edge.to};
+  return {edge.to, edge.along, endAlong(shape, x + edge.to, edge.along, spacing),
+          endAlong(shape, x + edge.to, -edge.along, spacing)};
 }
 
 }  // namespace thaw
