@@ -17,6 +17,7 @@ struct Goal {
   double dt;         ///< s
   double tolerance;  ///< 1, mean residual
   double share;      ///< 1, corrected fraction of an existing compression; divergence solve: 0
+  double mean = 0;   ///< 1, mean compression of liquid that cannot expand, which is left alone
 };
 
 /// Exact over ranks, as integers: residual, number of particles, and whether the last move went uphill.
@@ -56,8 +57,8 @@ Progress jacobiStep(const PressureSystem& x, const Goal& goal, std::vector<float
                                        // would tear it apart
     // Half-molten particles also get a spring. Its stiffness gives a single particle the pressure of a liquid
     // times its liquid fraction.
-    const double e = (filled > 0 ? goal.share * filled : filled) + goal.dt * work.rate[i] -
-                     (1 - f) * full * k;
+    const double e = (filled > 0 ? goal.share * filled : filled) - goal.share * goal.mean +
+                     goal.dt * work.rate[i] - (1 - f) * full * k;
     const double left = mayPull || k * full > -e ? std::abs(e) : k * full;
     double next = k + x.pressure.relaxation * e / full;
     if (!mayPull) next = std::max(next, 0.0);
@@ -65,6 +66,20 @@ Progress jacobiStep(const PressureSystem& x, const Goal& goal, std::vector<float
     progress.add(left, e * (next - static_cast<double>(work.before[i])) * full);
   }
   return progress;
+}
+
+/// Returns the mean of the compressions that the density solve corrects, exact over ranks, in liquid without
+/// a free surface. No motion can reduce it. If the solve tried, it would raise all pressures without end, and
+/// under them disordered particles resist shear.
+double meanCompression(const PressureSystem& x) {
+  if (!x.pressure.closed) return 0;
+  const Continuum& p = x.particles;
+  Progress sum;
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (x.pressure.response[i] > 0)
+      sum.add(std::max(static_cast<double>(p.relativeDensity[i]) - x.pressure.targetRelativeDensity, 0.0), 0);
+  sum.reduce(x.halos.all);
+  return sum.mean();
 }
 
 /// Solves for pressures, impulses and trialVelocity from the initial trialPressure. Returns the number of
@@ -200,7 +215,8 @@ void solveDensity(const PressureSystem& x, double next, double share) {
   const double half = 0.5 * next;
   for (std::size_t i = 0; i < p.owned; i++) work.start[i] = p.velocity[i] + p.acceleration[i] * half;
   setTrial(p, work, p.densityPressure, next);
-  x.lastIterations.density = solve(x, {next, share * x.scene.numerics.densityTolerance, share});
+  x.lastIterations.density = solve(
+      x, {next, share * x.scene.numerics.densityTolerance, share, meanCompression(x)});
   keepTrial(p, p.densityPressure, next);
   const auto record = [&](const Vec3d& impulse) {  // applied in the next half kick
     for (int a = 0; a < 3; a++) x.ledger.wallForce[a].add(impulse[a] / half);

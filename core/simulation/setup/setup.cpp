@@ -166,7 +166,8 @@ void setScales(const World& w, StepTools& t) {
     double sound = 0;  // proportional to the expected speed
     for (const LiquidMaterial& l : t.liquids) sound = std::max(sound, l.soundSpeed);
     t.pressure.targetRelativeDensity = 1 + (slidingLatticeSum(n) - latticeSum(n)) * t.inverseLatticeSum;
-    if (liquidFillsTheBox(w.scene)) t.pressure.targetRelativeDensity += flowDensityExcess;
+    t.pressure.closed = liquidFillsTheBox(w.scene) || n.buoyancy == Buoyancy::Boussinesq;
+    if (t.pressure.closed) t.pressure.targetRelativeDensity += flowDensityExcess;
     t.pressure.relaxation = 0.9 / largestPressureResponse(n);
     t.pressure.correctionTime = w.scene.spacing / (sound * std::sqrt(n.maxDensityError));
   }

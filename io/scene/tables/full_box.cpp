@@ -19,7 +19,6 @@ void chooseForFullBox(Scene& s, const OpenChoices& open) {
   const bool mayRelax = everywhere && open.packing && length(s.bodies[0].temperatureGradient) == 0;
   if (n.solver == PressureSolver::Incompressible) {
     if (mayRelax) s.bodies[0].packing = Packing::Relaxed;
-    if (closed && open.tensileLimit) n.tensileLimit = 1;
     return;
   }
   if (open.density) n.density = DensityForm::Continuity;

@@ -193,7 +193,8 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.number("cfl_tension", n.cflTension, "", factor(),
            "step limit as a multiple of sqrt(rho h^3 / (2 pi sigma))");
   r.number("cfl_acceleration", n.cflAcceleration, "", factor(),
-           "step limit as a multiple of sqrt(h / a), with the acceleration a");
+           "step limit as a multiple of sqrt(h / a), with the acceleration a; the incompressible solver "
+           "takes 0.6 of it");
   std::int64_t substeps = n.elasticSubsteps;
   r.whole(
       "elastic_substeps", substeps, 0, 64,

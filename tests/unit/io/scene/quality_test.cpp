@@ -77,6 +77,21 @@ TEST(FullBox, HasItsOwnDefaults) {
   EXPECT_EQ(sceneOf("").bodies[0].packing, Packing::Lattice);
 }
 
+// Negative pressure would resist the small changes of density with which disordered layers slide.
+TEST(FullBox, HasNoNegativePressureWithTheIncompressibleSolver) {
+  const std::string solver = "pressure_solver = 'incompressible'";
+  EXPECT_EQ(sceneOf("", solver, periodic).numerics.tensileLimit, 0);
+  SceneFiles files;
+  files.main = "test.toml";
+  files.texts["test.toml"] = "spacing = 0.1\n[domain]\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n" +
+                             std::string(periodic) + "[numerics]\n" + solver +
+                             "\n[material.oil]\nexpansion = 1e-3\n[[body]]\nmaterial = 'oil'\n"
+                             "box = { size = [1, 1, 1] }\nplace = { move = [0.5, 0.5, 0.5] }\n";
+  const Numerics n = readScene(files).numerics;
+  EXPECT_EQ(n.buoyancy, Buoyancy::Boussinesq);
+  EXPECT_EQ(n.tensileLimit, 0);
+}
+
 TEST(FullBox, KeepsExplicitChoices) {
   const Numerics n = sceneOf("", "density = 'summation'\ntensile_limit = 0.5", periodic).numerics;
   EXPECT_EQ(n.density, DensityForm::Summation);
