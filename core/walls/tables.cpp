@@ -73,9 +73,9 @@ double shareOfStress(const Numerics& n, double d) {
   if (!(d > 0 && d < 1)) return 0;
   if (part < nearest) {
     const auto between = [&](double k) {
-      const double before = shareOfStress(n, (k - 1e-9) * spacing),
-                   after = shareOfStress(n, (k + nearest + 1e-9) * spacing);
-      return before + (after - before) * part / nearest;
+      const double to = std::min(nearest, n.support - k), before = shareOfStress(n, (k - 1e-9) * spacing),
+                   after = shareOfStress(n, (k + to + 1e-9) * spacing);
+      return before + (after - before) * part / to;
     };
     if (layer > 0) return between(layer);
     double behind = 0;

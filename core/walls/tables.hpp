@@ -25,7 +25,7 @@ struct WallIntegrals {
 struct WallTables {
   static constexpr int points = 1024;
   double lowest = 0;              ///< h, half a spacing below the surface: lower bound of distances
-  double nearest = 0;             ///< h, lower bound of distances in conduct and drag, which grow like 1 / d
+  double nearest = 0;             ///< h, lower bound of distances in conduct, which grows like 1 / d
   std::vector<WallIntegrals> at;  ///< at distances lowest + k / points * (1 - lowest)
 
   /// Interpolates at a distance in units of h; zero beyond 1.
@@ -61,8 +61,8 @@ WallIntegrals forLiquids(const WallIntegrals& wall, double onLattice);
 inline constexpr double softBelow = 0.42;
 
 /// Makes tables of forLiquids down to softBelow, and of its tangent below; push stays the derivative of
-/// relativeDensity. conduct and drag use distances of at least a quarter of a spacing. Interpolation is
-/// accurate to 1e-5.
+/// relativeDensity. conduct uses distances of at least a quarter of a spacing, drag a twentieth.
+/// Interpolation is accurate to 1e-5 except at kinks of drag.
 WallTables makeWallTables(const Numerics& numerics);
 
 }  // namespace thaw

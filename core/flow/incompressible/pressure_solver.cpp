@@ -69,8 +69,8 @@ Progress jacobiStep(const PressureSystem& x, const Goal& goal, std::vector<float
 }
 
 /// Returns the mean of the compressions that the density solve corrects, exact over ranks, in liquid without
-/// a free surface. No motion can reduce it. If the solve tried, it would raise all pressures without end, and
-/// under them disordered particles resist shear.
+/// a free surface. Motion hardly reduces it. If the solve tried, it would raise all pressures without end,
+/// and under them disordered particles resist shear.
 double meanCompression(const PressureSystem& x) {
   if (!x.pressure.closed) return 0;
   const Continuum& p = x.particles;

@@ -66,13 +66,12 @@ double viscosityOfStep(const Scene& s, std::size_t k, double mu) {
   const bool liquid = canBeLiquid(s.materials[k]), printed = s.numerics.viscosity == ViscosityForm::Laplacian;
   if (!printed && !s.materials[k].canBeSolid()) return mu;
   double pairs = liquid ? mu : 0;
-  for (std::size_t j = 0; j < s.materials.size(); j++)
-    if (j != k && inUse(s, j) && (liquid || canBeLiquid(s.materials[j]))) {
-      const Material& m = s.materials[j];
-      const double other = largestViscosity(s, m);
-      if (printed) pairs = std::max(pairs, 0.5 * (mu + other));
-      else if (m.viscosityTable.empty() && !hasFlowLaw(m)) pairs = std::max(pairs, other);
-    }
+  for (std::size_t j = 0; j < s.materials.size(); j++) {
+    const Material& m = s.materials[j];
+    if (j == k || !inUse(s, j) || !(canBeLiquid(m) || (liquid && printed))) continue;
+    if (printed) pairs = std::max(pairs, 0.5 * (mu + largestViscosity(s, m)));
+    else if (m.viscosityTable.empty() && !hasFlowLaw(m)) pairs = std::max(pairs, m.viscosity.liquid);
+  }
   return pairs;
 }
 
@@ -100,9 +99,10 @@ StepLimits materialLimits(const Scene& s, const Modules& modules,
       // Tables and flow laws are evaluated per particle.
       const bool constant = m.viscosityTable.empty() && !hasFlowLaw(m);
       const double artificial = artificialAtSurface(liquids[k], constant ? m.viscosity.liquid : 0);
-      const double mu = (constant && !modules.implicitViscosity
-                             ? viscosityOfStep(s, k, largestViscosity(s, m))
-                             : 0) +
+      const bool printed = n.viscosity == ViscosityForm::Laplacian;
+      const double mu = (modules.implicitViscosity || (printed && !constant)
+                             ? 0
+                             : viscosityOfStep(s, k, constant ? largestViscosity(s, m) : 0)) +
                         (canBeLiquid(m) ? 1.6 * artificial : 0);
       if (mu > 0) take(Limit::Viscous, n.cflViscous * stableViscousStep(n) * h * h * leastDensityOf(m) / mu);
     }
