@@ -55,11 +55,13 @@ Impacts impactsOf(const ContactIsland& island) {
 
 double roomOf(const RigidContact& c, const ContactSettings& s) { return std::max(0.0, c.gap) / s.step; }
 
-/// Returns true if a contact closes in the step, and would do so fast enough for an impact without what
-/// gravity adds. A point of the outline of a body that rolls closes its gap without one. Speeds below the
-/// tolerance count as none, so that impacts end without gravity, too.
+/// Returns true if a contact closes in the step, fast enough for an impact, and would do so without the speed
+/// that gravity adds in the step. Points on the outline of a body that rolls close their gaps by gravity
+/// alone. Speeds below the tolerance count as none, so that impacts end without gravity, too.
 bool hits(const RigidContact& c, const ContactSettings& s, double speed) {
-  return -speed > roomOf(c, s) + std::max(s.impactSpeed, s.tolerance);
+  const double byGravity = 0.55 * s.impactSpeed;  // a tenth more than it adds
+  return -speed > roomOf(c, s) + std::max(byGravity, s.tolerance) &&
+         -speed > std::max(s.impactSpeed, s.tolerance);
 }
 
 double targetOf(const RigidContact& c, const ContactSettings& s, double speed) {

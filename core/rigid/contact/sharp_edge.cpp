@@ -64,8 +64,8 @@ Vec3d meet(const FacePlane& a, const FacePlane& b, const FacePlane& c) {
   return inverse(Mat3d{{a.n, b.n, c.n}}) * Vec3d{a.height, b.height, c.height};
 }
 
-/// Returns the edge of two faces at their own place: x + y lies on it up to the curvature of the faces. The
-/// planes are those that touch the faces beside it.
+/// Refines the edge of two faces near x + y with the planes that touch the faces beside it. On a face of the
+/// radius R the edge then has an error of 0.02 spacing^2 / R.
 SharpEdge edgeAt(const SignedDistance& shape, const Vec3d& x, Vec3d y, const FacePlane& a, const FacePlane& b,
                  double spacing) {
   Vec3d na = a.n, nb = b.n;
@@ -89,9 +89,9 @@ SharpEdge edgeAt(const SignedDistance& shape, const Vec3d& x, Vec3d y, const Fac
 
 /// Returns true if an edge leaves its tangent within the part that an element describes.
 bool isCurved(const SignedDistance& shape, const Vec3d& edge, const Vec3d& along, double spacing) {
-  const double s = straightFor * spacing;
-  return shape.distance(edge + s * along, nullptr) > leastBend * spacing &&
-         shape.distance(edge - s * along, nullptr) > leastBend * spacing;
+  const double s = straightFor * spacing, least = shape.distance(edge, nullptr) + leastBend * spacing;
+  return shape.distance(edge + s * along, nullptr) > least &&
+         shape.distance(edge - s * along, nullptr) > least;
 }
 
 /// Distance (m) from a point of an edge to its end in a direction; infinite if it is not near.

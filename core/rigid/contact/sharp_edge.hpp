@@ -10,7 +10,7 @@ namespace thaw {
 
 struct SharpEdge {
   Vec3d to{};     ///< m, from a point to the edge, where it is nearest, or to the corner; zero: none
-  Vec3d along{};  ///< unit vector along the edge; zero: a corner
+  Vec3d along{};  ///< unit vector along the edge; zero: a corner, or a point of a curved edge
   double ahead = HUGE_VAL;   ///< m, from there to the end of the edge along it; infinite: not near
   double behind = HUGE_VAL;  ///< m, the same against the direction
 };

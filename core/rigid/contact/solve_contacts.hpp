@@ -11,14 +11,14 @@
 namespace thaw {
 
 struct ContactSettings {
-  double step = 0;            ///< s
-  double tolerance = 1e-6;    ///< m/s, largest velocity error of a contact at which the iteration stops
-  double impactPart = 0;      ///< 1, the same as a part of the largest velocity that impulses of an
-                              ///< island must change
-  int mostIterations = 500;   ///< limit for each of the two solves
-  double impactSpeed = 0;     ///< m/s; slower approaches have no restitution
-  double slop = 0;            ///< m, overlap that is not corrected
-  double correction = 0.2;    ///< 1, part of the overlap beyond slop that is removed in a step
+  double step = 0;           ///< s
+  double tolerance = 1e-6;   ///< m/s, largest velocity error of a contact at which the iteration stops
+  double impactPart = 0;     ///< 1, the same as a part of the largest velocity that impulses of an
+                             ///< island must change
+  int mostIterations = 500;  ///< limit for each of the two solves
+  double impactSpeed = 0;   ///< m/s, twice what gravity adds in a step; slower approaches have no restitution
+  double slop = 0;          ///< m, overlap that is not corrected
+  double correction = 0.2;  ///< 1, part of the overlap beyond slop that is removed in a step
   double mostCorrection = 0;  ///< m, upper limit of the overlap removed in a step
 };
 
