@@ -230,10 +230,10 @@ std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
                     l.energyResidual, 100 * std::abs(l.energyResidual) / largest));
   const double gained = std::max(0.05 * largest, 0.01 * std::abs(l.initial.potential));
   if (!isRounding(l) && l.dissipated < -gained)
-    w.push_back(
-        fmt::format("dissipation is negative ({:.3g} J): numerical errors added kinetic energy, as in liquid "
-                    "beside solids; a larger `artificial_viscosity` of the liquid reduces them",
-                    l.dissipated));
+    w.push_back(fmt::format(
+        "dissipation is negative ({:.3g} J): numerical errors added kinetic energy; shorter steps "
+        "(`numerics.max_step`) or a larger `artificial_viscosity` of the liquid reduce them",
+        l.dissipated));
   const double heatRounding = 1e-12 *
                               std::max({std::abs(l.now.internal), std::abs(l.initial.internal), l.heatScale});
   if (std::abs(l.heatResidual) > std::max(0.05 * l.heatScale, heatRounding))

@@ -115,7 +115,8 @@ void readSolid(TableReader& r, Material& m) {
            "tensile stress at which rigid pieces (law = \"rigid\") break in an impact. It needs `young`, "
            "which sets the duration of the impact. \"never\": they do not break");
   r.number("damping", m.damping, "1/s", notNegative(),
-           "rate at which velocity differences of bonded particles decay");
+           "rate at which velocity differences of bonded particles decay; vibrations that are many "
+           "spacings long decay far more slowly");
   r.flag("weld", m.weld, "solids of this material that touch after freezing weld together");
   r.number(
       "weld_temperature", m.weldTemperature, "K", orNever(positive()),

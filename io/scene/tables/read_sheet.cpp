@@ -115,7 +115,8 @@ void readExactStep(TableReader& r, SheetBody& b) {
 
 void readInner(TableReader& r, SheetBody& b) {
   r.number("warp", b.warp, "N/m", notNegative(),
-           "stiffness of springs along edges in the direction of the warp: tension per width and strain");
+           "stiffness of springs along edges in the direction of the warp: tension per width and strain; "
+           "strains are relative to the lengths at the start");
   r.number("weft", b.weft, "N/m", notNegative(), "stiffness of springs along edges across the warp");
   r.number("shear", b.shear, "N/m", notNegative(),
            "stiffness of springs along edges in other directions, and along both diagonals of a square");
