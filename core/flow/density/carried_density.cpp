@@ -52,21 +52,14 @@ Sym3d alongWall(const Sym3d& moment, const Vec3d& n) {
 /// Adds `share` of the part m of a moment that couples n with the wall's plane, over the liquid's n-n part,
 /// to the moment along the wall. The inverse is still 1 along n, and shear along the wall does not change the
 /// density to first order in m. The pressure of liquid whose layers are offset then does not resist it. With
-/// hardly any liquid across the wall, m is left out. It is limited so that the correction stays on.
+/// hardly any liquid across the wall, m is left out.
 Sym3d withShear(const Sym3d& along, const Sym3d& moment, const Vec3d& n, double share) {
   constexpr double faint = 0.25;  // n-n part; 0.5 in the outermost layer of a lattice
-  constexpr double least = 0.42;  // eigenvalue, slightly above the one from which gradients are corrected
   const Mat3d whole = full(along);
+  if (!(determinant(whole) > 0.01)) return along;
   const Vec3d m = moment * n;
-  const double across = dot(n, m), divisor = std::max(across, faint);
-  Vec3d coupling = (m - n * across) * (share * std::max(across, 0.0) / (divisor * divisor));
-  const double size = length(coupling);
-  if (!(determinant(whole) > 0.01 && size > 0)) return along;
-  // With the part a of the moment along the coupling c, an eigenvalue is least at c^2 = a (a - least) (1 -
-  // least) / least.
-  const double a = dot(coupling, whole * coupling) / (size * size),
-               most = std::sqrt(std::max(0.0, a * (a - least) * (1 - least) / least));
-  if (size > most) coupling = coupling * (most / size);
+  const double across = dot(n, m), least = std::max(across, faint);
+  const Vec3d coupling = (m - n * across) * (share * std::max(across, 0.0) / (least * least));
   return plusPairOf(along, n, coupling + n * (0.5 * dot(coupling, inverse(whole) * coupling)));
 }
 
