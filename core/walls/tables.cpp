@@ -61,7 +61,7 @@ WallIntegrals rawIntegrals(const Numerics& n, double d) {
 }
 
 /// Stress of the raw drag on a layer at the distance d (h) in a linear profile, any unit.
-double rawStress(const Numerics& n, double d) { return d < 1 ? rawIntegrals(n, d).drag * d : 0; }
+double rawStress(const Numerics& n, double d) { return rawIntegrals(n, d).drag * d; }
 
 /// Share of the wall's shear stress that acts on a layer at the distance d (h). The shares of layers one
 /// spacing apart add up to 1, wherever the first one lies. Otherwise liquid whose first layer is nearly a

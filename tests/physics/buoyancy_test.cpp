@@ -14,25 +14,31 @@ namespace {
 using std::numbers::pi;
 constexpr double g = 10, expansion = 0.01, amplitude = 5;  // m/s^2, 1/K, K
 
-/// A periodic box of edge 1 full of liquid with hot and cold columns of cells:
-/// T = 300 + A cos(2 pi x) cos(2 pi z).
-Scene cells(PressureSolver solver) {
-  constexpr double dx = 0.05;
-  Scene s = emptyScene(dx, {0, 0, 0}, {1, 6 * dx, 1});
+/// A periodic box full of liquid that expands, with gravity along -z.
+Scene fullBox(double dx, const Vec3d& size) {
+  Scene s = emptyScene(dx, {0, 0, 0}, size);
   for (auto& side : s.domain.side) side = {Side::Periodic, Side::Periodic};
   s.domain.buoyantGravity = {0, 0, -g};
+  s.numerics.buoyancy = Buoyancy::Boussinesq;
   s.materials.emplace_back();
   s.materials[0].name = "liquid";
-  s.materials[0].density = 1;
   s.materials[0].expansion = expansion;
   s.materials[0].expansionFrom = 300;
-  Body& b = addBox(s, {0, 0, 0}, {1, 6 * dx, 1});
+  addBox(s, s.domain.min, s.domain.max);
+  return s;
+}
+
+/// A box of edge 1 with hot and cold columns of cells: T = 300 + A cos(2 pi x) cos(2 pi z).
+Scene cells(PressureSolver solver) {
+  constexpr double dx = 0.05;
+  Scene s = fullBox(dx, {1, 6 * dx, 1});
+  s.materials[0].density = 1;
+  Body& b = s.bodies[0];
   b.temperatureField.text = "A cos cos";
   b.temperatureField.value = [](const Vec3d& x) {
     return 300 + amplitude * std::cos(2 * pi * x.x) * std::cos(2 * pi * x.z);
   };
   Numerics& n = s.numerics;
-  n.buoyancy = Buoyancy::Boussinesq;
   n.solver = solver;
   n.tensileLimit = 1;
   if (solver == PressureSolver::StateEquation) {
@@ -80,19 +86,13 @@ TEST(BuoyancyInAClosedBox, StartsConvectionAtItsExactRateInIncompressibleLiquid)
 // then exceed that of the lattice. If the solver resisted that, its pressure would slow the flow.
 TEST(BuoyancyInAClosedBox, DrivesLayersInIncompressibleLiquid) {
   constexpr double edge = 0.1, viscosity = 1, density = 1000, k = 2 * pi / edge;
-  Scene s = emptyScene(edge / 16, {0, 0, 0}, {edge, edge / 2, edge / 2});
-  for (auto& side : s.domain.side) side = {Side::Periodic, Side::Periodic};
-  s.domain.buoyantGravity = {0, 0, -g};
-  s.materials.emplace_back();
+  Scene s = fullBox(edge / 16, {edge, edge / 2, edge / 2});
   s.materials[0].density = density;
   s.materials[0].viscosity = {viscosity, viscosity};
-  s.materials[0].expansion = expansion;
-  s.materials[0].expansionFrom = 300;
-  Body& b = addBox(s, s.domain.min, s.domain.max);
+  Body& b = s.bodies[0];
   b.packing = Packing::Relaxed;
   b.temperatureField.text = "A cos";
   b.temperatureField.value = [](const Vec3d& x) { return 300 + std::cos(k * x.x); };
-  s.numerics.buoyancy = Buoyancy::Boussinesq;
   s.numerics.solver = PressureSolver::Incompressible;
   s.end = 2;
   Simulation run(s);

@@ -54,39 +54,37 @@ TEST(RigidContact, ABallRollsWithoutBumps) {
   }
 }
 
+/// Rolls a body on a floor for some steps, in which it turns by 0.05 rad. Its centre may move up and down by
+/// `bumps` (m).
+RigPiece afterRolling(RigPiece body, double radius, double speed, int steps, double bumps) {
+  RigidRig rig(spacing, 14, 0.05 * radius / speed);
+  rig.setFriction(0.3, 0.5);
+  body.centre = {-12, 0.04, radius};
+  body.velocity = {speed, 0, 0};
+  body.angularMomentum = {0, speed / radius / body.inverseInertia().yy, 0};
+  rig.pieces.push_back(body);
+  for (int n = 0; n < steps; n++) {
+    rig.step();
+    EXPECT_NEAR(rig.pieces[0].centre.z, radius, bumps);
+  }
+  return rig.pieces[0];
+}
+
 TEST(RigidContact, AFastBallRollsWithoutLoss) {
   const double radius = 0.6, speed = 6;
-  RigidRig rig(spacing, 14, 5e-3);  // turns by 0.05 rad in a step
-  rig.setFriction(0.3, 0.5);
-  RigPiece ball = pieceOf(SphereDistance(radius), spacing, 1000);
-  ball.centre = {-12, 0.04, radius};
-  ball.velocity = {speed, 0, 0};
-  ball.angularMomentum = ball.inertia.y * Vec3d{0, speed / radius, 0};
-  rig.pieces.push_back(ball);
-  for (int n = 0; n < 700; n++) {
-    rig.step();
-    EXPECT_NEAR(rig.pieces[0].centre.z, radius, 1e-3 * spacing);
-  }
-  EXPECT_NEAR(rig.pieces[0].velocity.x, speed, 1e-3 * speed);
-  EXPECT_NEAR(rig.pieces[0].centre.y, 0.04, 0.01 * spacing);
+  const RigPiece ball = pieceOf(SphereDistance(radius), spacing, 1000),
+                 end = afterRolling(ball, radius, speed, 700, 1e-3 * spacing);
+  EXPECT_NEAR(end.velocity.x, speed, 1e-3 * speed);
+  EXPECT_NEAR(end.centre.y, 0.04, 0.01 * spacing);
 }
 
 // The points of its rims close their gaps without impacts.
 TEST(RigidContact, ACylinderRollsWithoutBumps) {
   const double radius = 0.5, speed = 5;
-  RigidRig rig(spacing, 14, 5e-3);
-  rig.setFriction(0.3, 0.5);
   RigPiece wheel = pieceOf(RevolvedDistance(cylinderOutline(radius, 0.8)), spacing, 1000);
   wheel.orientation = rotationBy({0.5 * std::numbers::pi, 0, 0});  // its axis is y
-  wheel.centre = {-12, 0.04, radius};
-  wheel.velocity = {speed, 0, 0};
-  wheel.angularMomentum = wheel.inertia.z * Vec3d{0, speed / radius, 0};
-  rig.pieces.push_back(wheel);
-  for (int n = 0; n < 300; n++) {
-    rig.step();
-    EXPECT_NEAR(rig.pieces[0].centre.z, radius, 0.01 * spacing);
-  }
-  EXPECT_NEAR(rig.pieces[0].velocity.x, speed, 0.01 * speed);
+  const RigPiece end = afterRolling(wheel, radius, speed, 300, 0.01 * spacing);
+  EXPECT_NEAR(end.velocity.x, speed, 0.01 * speed);
 }
 
 TEST(RigidContact, ABoxTopplesBeyondTheAngleOfItsEdge) {

@@ -56,7 +56,7 @@ Sym3d alongWall(const Sym3d& moment, const Vec3d& n) {
 Sym3d withShear(const Sym3d& along, const Sym3d& moment, const Vec3d& n, double share) {
   constexpr double faint = 0.25;  // n-n part; 0.5 in the outermost layer of a lattice
   const Mat3d whole = full(along);
-  if (!(determinant(whole) > 0.01)) return along;
+  if (!(determinant(whole) > 0.01)) return along;  // too few neighbours
   const Vec3d m = moment * n;
   const double across = dot(n, m), least = std::max(across, faint);
   const Vec3d coupling = (m - n * across) * (share * std::max(across, 0.0) / (least * least));

@@ -55,9 +55,9 @@ Impacts impactsOf(const ContactIsland& island) {
 
 double roomOf(const RigidContact& c, const ContactSettings& s) { return std::max(0.0, c.gap) / s.step; }
 
-/// Returns true if a contact closes in the step, fast enough for an impact, and would do so without the speed
-/// that gravity adds in the step. Points on the outline of a body that rolls close their gaps by gravity
-/// alone. Speeds below the tolerance count as none, so that impacts end without gravity, too.
+/// Returns true if a contact closes in the step, fast enough for an impact. It must also close without the
+/// velocity that gravity adds: points on the outline of a rolling body close their gaps by gravity alone.
+/// Speeds below the tolerance count as none, so that impacts end without gravity, too.
 bool hits(const RigidContact& c, const ContactSettings& s, double speed) {
   const double byGravity = 0.55 * s.impactSpeed;  // a tenth more than it adds
   return -speed > roomOf(c, s) + std::max(byGravity, s.tolerance) &&

@@ -64,27 +64,31 @@ Vec3d meet(const FacePlane& a, const FacePlane& b, const FacePlane& c) {
   return inverse(Mat3d{{a.n, b.n, c.n}}) * Vec3d{a.height, b.height, c.height};
 }
 
-/// Refines the edge of two faces near x + y with the planes that touch the faces beside it. On a face of the
-/// radius R the edge then has an error of 0.02 spacing^2 / R.
-SharpEdge edgeAt(const SignedDistance& shape, const Vec3d& x, Vec3d y, const FacePlane& a, const FacePlane& b,
-                 double spacing) {
-  Vec3d na = a.n, nb = b.n;
+/// The edge of two faces with the normals a and b. `to` is a point of it, from x.
+struct EdgeOfFaces {
+  Vec3d to{}, a{}, b{};
+  Vec3d along() const { return normalized(cross(a, b)); }
+};
+
+/// Returns the edge with the planes that touch the faces beside it. On a face of the radius R it then has an
+/// error of 0.02 spacing^2 / R.
+EdgeOfFaces refined(const SignedDistance& shape, const Vec3d& x, EdgeOfFaces e, double spacing) {
+  const auto faceBeside = [&](const Vec3d& own, const Vec3d& other) {
+    const Vec3d at = e.to -
+                     spacing * (beside * normalized(other - dot(own, other) * own) + 0.1 * beside * own);
+    FacePlane f;
+    const double d = shape.distance(x + at, &f.n);
+    f.height = dot(f.n, at) - d;
+    return f;
+  };
   for (int pass = 0; pass < 2; pass++) {
-    const auto faceBeside = [&](const Vec3d& own, const Vec3d& other) {
-      const Vec3d at = y -
-                       spacing * (beside * normalized(other - dot(own, other) * own) + 0.1 * beside * own);
-      FacePlane f;
-      const double d = shape.distance(x + at, &f.n);
-      f.height = dot(f.n, at) - d;
-      return f;
-    };
-    const FacePlane fa = faceBeside(na, nb), fb = faceBeside(nb, na);
-    if (!(length(cross(fa.n, fb.n)) > leastAngle)) break;
-    na = fa.n, nb = fb.n;
-    const Vec3d along = normalized(cross(na, nb)), near = meet(fa, fb);
-    y = near + dot(y - near, along) * along;
+    const FacePlane a = faceBeside(e.a, e.b), b = faceBeside(e.b, e.a);
+    if (!(length(cross(a.n, b.n)) > leastAngle)) break;
+    e.a = a.n, e.b = b.n;
+    const Vec3d near = meet(a, b), along = e.along();
+    e.to = near + dot(e.to - near, along) * along;
   }
-  return {y, normalized(cross(na, nb))};
+  return e;
 }
 
 /// Returns true if an edge leaves its tangent within the part that an element describes.
@@ -111,8 +115,8 @@ double endAlong(const SignedDistance& shape, const Vec3d& edge, const Vec3d& dir
 SharpEdge sharpEdge(const SignedDistance& shape, const Vec3d& x, double spacing) {
   const std::vector<FacePlane> f = facesAround(shape, x, spacing);
   if (f.size() > mostFaces) return {};
-  Vec3d best{};
-  const FacePlane *first = nullptr, *second = nullptr;
+  EdgeOfFaces edge;
+  Vec3d& best = edge.to;
   const auto nearer = [&](const Vec3d& y) { return best == Vec3d{} || dot(y, y) < dot(best, best); };
   const auto lies = [&](const Vec3d& y) {
     return length(y) < farthest * spacing && std::abs(shape.distance(x + y, nullptr)) < onSurface * spacing;
@@ -132,14 +136,13 @@ SharpEdge sharpEdge(const SignedDistance& shape, const Vec3d& x, double spacing)
       if (length(cross(f[a].n, f[b].n)) < leastAngle) continue;
       const Vec3d y = meet(f[a], f[b]);
       if (!nearer(y) || !lies(y) || !convex(f[a], f[b], y)) continue;
-      best = y;
-      first = &f[a], second = &f[b];
+      edge = {y, f[a].n, f[b].n};
     }
   if (best == Vec3d{}) return {};
-  const SharpEdge edge = edgeAt(shape, x, best, *first, *second, spacing);
-  if (isCurved(shape, x + edge.to, edge.along, spacing)) return {edge.to};
-  return {edge.to, edge.along, endAlong(shape, x + edge.to, edge.along, spacing),
-          endAlong(shape, x + edge.to, -edge.along, spacing)};
+  edge = refined(shape, x, edge, spacing);
+  const Vec3d at = x + edge.to, along = edge.along();
+  if (isCurved(shape, at, along, spacing)) return {edge.to};
+  return {edge.to, along, endAlong(shape, at, along, spacing), endAlong(shape, at, -along, spacing)};
 }
 
 }  // namespace thaw

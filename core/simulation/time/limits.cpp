@@ -47,6 +47,9 @@ double largestDiffusivity(const Scene& s, const Material& m) {
   return largest;
 }
 
+/// Returns true if all particles of a material have one viscosity; others are evaluated per particle.
+bool hasOneViscosity(const Material& m) { return m.viscosityTable.empty() && !hasFlowLaw(m); }
+
 double largestViscosity(const Scene& s, const Material& m) {
   if (hasFlowLaw(m)) return largestFlowViscosity(s, m);
   if (m.viscosityTable.empty()) return std::max(m.viscosity.solid, m.viscosity.liquid);
@@ -70,7 +73,7 @@ double viscosityOfStep(const Scene& s, std::size_t k, double mu) {
     const Material& m = s.materials[j];
     if (j == k || !inUse(s, j) || !(canBeLiquid(m) || (liquid && printed))) continue;
     if (printed) pairs = std::max(pairs, 0.5 * (mu + largestViscosity(s, m)));
-    else if (m.viscosityTable.empty() && !hasFlowLaw(m)) pairs = std::max(pairs, m.viscosity.liquid);
+    else if (hasOneViscosity(m)) pairs = std::max(pairs, m.viscosity.liquid);
   }
   return pairs;
 }
@@ -96,8 +99,7 @@ StepLimits materialLimits(const Scene& s, const Modules& modules,
       take(Limit::Sound, n.cflSound * std::min(h, 2 * s.spacing) / (near > own * (1 + 1e-12) ? near : own));
     }
     if (modules.fluid) {
-      // Tables and flow laws are evaluated per particle.
-      const bool constant = m.viscosityTable.empty() && !hasFlowLaw(m);
+      const bool constant = hasOneViscosity(m);
       const double artificial = artificialAtSurface(liquids[k], constant ? m.viscosity.liquid : 0);
       const bool printed = n.viscosity == ViscosityForm::Laplacian;
       const double mu = (modules.implicitViscosity || (printed && !constant)
@@ -191,7 +193,7 @@ StepLimits particleLimits(const World& w, const LargestRates& largest, double st
   }
   for (std::size_t k = 0; k < w.scene.materials.size(); k++) {
     const Material& m = w.scene.materials[k];
-    if ((m.viscosityTable.empty() && !hasFlowLaw(m)) || w.modules.implicitViscosity) continue;
+    if (hasOneViscosity(m) || w.modules.implicitViscosity) continue;
     double mu = largestViscosityHere(w, k);
     if (mu > 0) mu = viscosityOfStep(w.scene, k, mu);
     if (mu > 0)

@@ -66,12 +66,16 @@ TEST(LiquidInAWedge, HasNeitherShiftingNorCorrectedGradientsAcrossWalls) {
       for (const WallContact& c : r.tools.wallContacts.list) {
         const std::span<const WallContact> all = contactsOf(r.tools.wallContacts, c.row);
         between += all.size() > 1;
-        const bool nearest = std::ranges::all_of(all, [&](auto&o) { return !(o.distance < c.distance); }),
-                   inside = std::ranges::all_of(all,
-                                                [&](auto&o) { return o.distance < 0.5 * r.w.grid.support; });
+        const auto noneNearer = [&](double than) {
+          return std::ranges::none_of(all, [&](const WallContact& o) { return o.distance < than; });
+        };
+        const auto allNearer = [&](double than) {
+          return std::ranges::all_of(all, [&](const WallContact& o) { return o.distance < than; });
+        };
         const Vec3d byNormal = wide(p.midCorrection[c.row]) * c.normal;
-        if (nearest) correction = std::max(correction, std::abs(dot(c.normal, byNormal)));
-        if (inside && all.size() > 1) correction = std::max(correction, length(byNormal));
+        if (noneNearer(c.distance)) correction = std::max(correction, std::abs(dot(c.normal, byNormal)));
+        if (all.size() > 1 && allNearer(0.5 * r.w.grid.support))
+          correction = std::max(correction, length(byNormal));
         if (c.distance < r.w.scene.spacing)
           shifted = std::max(shifted, std::abs(dot(p.shiftingVelocity[c.row], c.normal)));
       }

@@ -50,8 +50,7 @@ template<class Kernel> void expectTables(KernelKind kind) {
     const Numerics n = numericsOf(kind, spacing);
     const WallTables t = makeWallTables(n);
     const auto stress = [](const WallIntegrals& w, double d) { return w.drag * d; };
-    for (const double d : {0.5 * spacing, 0.7 * spacing}) {  // the stress on two layers is in proportion to
-                                                             // this
+    for (const double d : {0.5 * spacing, 0.7 * spacing}) {  // the stress on both layers
       const double behind = d + spacing;
       if (behind >= 1) continue;
       const WallIntegrals near = bruteForce<Kernel>(spacing, d, 1500),

@@ -9,13 +9,14 @@ namespace thaw {
 namespace {
 
 Scene sceneOf(const std::string& head, const std::string& numerics = "", const std::string& sides = "",
-              const std::string& body = "") {
+              const std::string& body = "", const std::string& material = "") {
   SceneFiles files;
   files.main = "test.toml";
   files.texts["test.toml"] = head + "\nspacing = 0.1\nend = 1\n[domain]\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n" +
-                             sides + "[numerics]\n" + numerics +
-                             "\n[material.oil]\ndensity = 1000\n[[body]]\nname = 'all'\nmaterial = "
-                             "'oil'\nbox = { size = [1, 1, 1] }\nplace = { move = [0.5, 0.5, 0.5] }\n" +
+                             sides + "[numerics]\n" + numerics + "\n[material.oil]\ndensity = 1000\n" +
+                             material +
+                             "\n[[body]]\nname = 'all'\nmaterial = 'oil'\n"
+                             "box = { size = [1, 1, 1] }\nplace = { move = [0.5, 0.5, 0.5] }\n" +
                              body;
   return readScene(files);
 }
@@ -81,13 +82,7 @@ TEST(FullBox, HasItsOwnDefaults) {
 TEST(FullBox, HasNoNegativePressureWithTheIncompressibleSolver) {
   const std::string solver = "pressure_solver = 'incompressible'";
   EXPECT_EQ(sceneOf("", solver, periodic).numerics.tensileLimit, 0);
-  SceneFiles files;
-  files.main = "test.toml";
-  files.texts["test.toml"] = "spacing = 0.1\n[domain]\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n" +
-                             std::string(periodic) + "[numerics]\n" + solver +
-                             "\n[material.oil]\nexpansion = 1e-3\n[[body]]\nmaterial = 'oil'\n"
-                             "box = { size = [1, 1, 1] }\nplace = { move = [0.5, 0.5, 0.5] }\n";
-  const Numerics n = readScene(files).numerics;
+  const Numerics n = sceneOf("", solver, periodic, "", "expansion = 1e-3").numerics;
   EXPECT_EQ(n.buoyancy, Buoyancy::Boussinesq);
   EXPECT_EQ(n.tensileLimit, 0);
 }
