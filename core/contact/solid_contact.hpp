@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact of unbonded solids: separate bodies, pieces of one body, frozen fragments.
+// Contact of unbonded solids of one body: its pieces, frozen fragments. Of different bodies:
+// body_contact.hpp.
 #pragma once
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "core/contact/contact_pair.hpp"
 #include "core/fluid/pair_sums/pair_sums.hpp"
 #include "core/math/exact_sum.hpp"
 #include "core/neighbours/grid.hpp"
@@ -21,12 +23,6 @@ inline constexpr double contactDistance = 0.9;
 /// Distance (in spacings) below which pairs are listed in scenes whose contacts limit the step only while
 /// they act (Modules::rareContact). Approaching pairs are then seen before they touch.
 inline constexpr double contactSight = 0.98;
-
-/// Dissipative part of the contact force (N) on a row.
-struct DissipativeForce {
-  std::uint32_t row = 0;
-  Vec3d force;
-};
 
 /// Unbonded solids that touch, before heat changes their phases.
 struct TouchingPair {
@@ -54,7 +50,8 @@ struct ContactContext {
   bool* near = nullptr;                ///< becomes true if a pair touches, or will within two steps
 };
 
-/// Adds the contact forces of close pairs to owned rows, in list order. Each unbonded pair has three forces.
+/// Adds the contact forces of close pairs of one body to owned rows, in list order. Each unbonded pair has
+/// three forces.
 /// A linear spring k (d0 - r) acts along the line of centres, with k the harmonic mean of both E * spacing. A
 /// dashpot dissipates energy according to the coefficient of restitution (CS79). Coulomb
 /// friction is regularised by the same dashpot. Coincident pairs have an energy but no direction: they are

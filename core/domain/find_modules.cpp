@@ -224,8 +224,8 @@ bool emitsSolid(const Scene& s) {
   });
 }
 
-/// Activates contact of solids and welding.
-void findContact(Finder& f, const std::vector<bool>& used, int solidBodies) {
+/// Activates contact of solids and welding. elastic: some solid has bonds.
+void findContact(Finder& f, const std::vector<bool>& used, int solidBodies, bool elastic) {
   const Scene& s = f.s;
   Modules& m = f.m;
   if (m.solid) {
@@ -233,6 +233,8 @@ void findContact(Finder& f, const std::vector<bool>& used, int solidBodies) {
     if (m.freezing) f.on(m.contact, "contact of solids", "frozen pieces can touch");
     if (m.fracture && s.numerics.selfContact) f.on(m.contact, "contact of solids", "pieces can touch");
   }
+  if (m.contact && elastic && s.bodies.size() + s.emitters.size() > 1)
+    f.on(m.bodyContact, "contact of bodies", "solids of different bodies can touch");
   m.rareContact = m.contact && solidBodies <= 1 && !m.fracture && !emitsSolid(s);
   if (m.contact)
     for (std::size_t k = 0; k < s.materials.size(); k++)
@@ -298,7 +300,7 @@ Modules modulesOf(const Scene& s) {
     findSolidLaws(f, s.materials[k], who);
   }
   const bool elastic = findRigid(f, used);
-  findContact(f, used, solidBodies);
+  findContact(f, used, solidBodies, elastic);
   if (m.fluid && s.numerics.solver == PressureSolver::Incompressible)
     f.on(m.incompressible, "incompressible liquid", "numerics.pressure_solver");
   findSubsteps(f, elastic);

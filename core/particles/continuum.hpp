@@ -196,6 +196,13 @@ struct Continuum : Table {
   Column<float> contactOffset{*this, "contactOffset", "1", Keep::State,
       "contact offset: distance from a wall, in spacings, at which a solid rests; below 1/2 if it froze "
       "closer"};
+  Column<float> contactRest{*this, "contactRest", "1", Keep::State,
+      "sum over the solids of other bodies at which contact with them begins; 0: not known yet "
+      "(core/contact/body_contact.hpp)", Rows::Owned};
+  Column<Vec3d> contactShear{*this, "contactShear", "m", Keep::State,
+      "displacement of the friction spring to other bodies", Rows::Owned};
+  Column<Mat3f> bodyContact{*this, "bodyContact", "m^2 J J, J, J", Keep::Transient,
+      "contact with other bodies: factors of its forces; friction of its spring and of its dashpot"};
   Column<Vec3d> unwrappedPosition{*this, "unwrappedPosition", "m", Keep::Transient,
       "position without the shift of periodic images; only with periodic sides"};
   // Rates of the current step.

@@ -43,12 +43,12 @@ void findDensities(StepContext& c) {
   t.times.lap(StepPhase::Contact);
 }
 
-/// Columns of ghosts that follow from densities, shear rates and normals.
+/// Columns of ghosts that follow from densities, shear rates, normals and contacts.
 ColumnList densityColumns(Continuum& p) {
   ColumnList columns{};
   for (AnyColumn* column : std::initializer_list<AnyColumn*>{
            &p.relativeDensity, &p.contactNormal, &p.exposure, &p.correction, &p.relief, &p.apparentViscosity,
-           &p.surfaceEnergyByGradient, &p.surfaceEnergyByColour})
+           &p.surfaceEnergyByGradient, &p.surfaceEnergyByColour, &p.bodyContact})
     if (column->active) columns.push_back(column);
   return columns;
 }

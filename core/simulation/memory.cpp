@@ -48,9 +48,10 @@ std::vector<MemoryUse> memoryOf(const World& w, const StepTools& t) {
                       bytesOf(f.surfelCells.key, f.surfelCells.first, f.surfelCells.count,
                               f.particleCells.key, f.particleCells.first, f.particleCells.count)},
       {"walls and contacts",
-       bytesOf(t.wallContacts.list, t.closePairs.list, t.contactResistance, t.phaseEnergy.ofPairs,
-               t.phaseEnergy.inPairs, t.phaseEnergy.liquid, t.phaseEnergy.springs, t.phaseEnergy.touching,
-               t.phaseEnergy.energy, t.phaseEnergy.dissipation, t.phaseEnergy.force)},
+       bytesOf(t.wallContacts.list, t.closePairs.list, t.contactResistance, t.bodyContact.pairs,
+               t.bodyContact.rows, t.bodyContact.resistance, t.phaseEnergy.ofPairs, t.phaseEnergy.inPairs,
+               t.phaseEnergy.liquid, t.phaseEnergy.springs, t.phaseEnergy.touching, t.phaseEnergy.energy,
+               t.phaseEnergy.dissipation, t.phaseEnergy.force)},
       {"sort and search", bytesOf(t.sort.gone, t.sort.movers, t.sort.before, t.sort.order, t.sort.moves.runs,
                                   t.sort.moves.singles, t.search.x, t.search.y, t.search.z, t.search.entry)}};
 }

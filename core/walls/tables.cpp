@@ -13,12 +13,12 @@ namespace thaw {
 namespace {
 
 struct Plane {
-  double w = 0, slope = 0, laplace = 0, drag = 0;
+  double w = 0, slope = 0, laplace = 0, drag = 0, shear = 0;
 };
 
 /// Integrals over a plane at distance z: W, -dW/dz, the Laplacian's kernel, and the viscous weight times
-/// x^2/r^2, x along the plane. The first three times s = |r| are polynomials of degree at most 7 on either
-/// side of 1/2. The five-point Gauss rule is exact for them.
+/// x^2/r^2 and x^2 z^2/r^2, x along the plane. The first three times s = |r| are polynomials of degree at
+/// most 7 on either side of 1/2. The five-point Gauss rule is exact for them.
 template<class Kernel> Plane planeAt(double z, double viscousScale) {
   constexpr std::array<double, 5> node{-0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831,
                                        0.9061798459386640};
@@ -32,7 +32,9 @@ template<class Kernel> Plane planeAt(double z, double viscousScale) {
       p.w += ring * Kernel::w(s * s);
       p.slope -= ring * z * Kernel::slope(s * s);
       p.laplace += ring * Kernel::laplace(s * s);
-      p.drag += ring * isa_base::alongPair(viscousScale, s * s) * (s * s - z * z) / (2 * s * s);
+      const double along = ring * isa_base::alongPair(viscousScale, s * s) * (s * s - z * z) / (2 * s * s);
+      p.drag += along;
+      p.shear += along * z * z;
     }
   };
   if (z < 0.5) addPart(z, 0.5);
@@ -50,6 +52,7 @@ template<class Kernel> WallIntegrals integralsOf(const Numerics& n, double visco
     sum.push += spacing * p.slope;
     sum.momentShare += spacing * p.slope * (d + depth);
     sum.conduct += spacing * p.laplace * (1 + depth / from);
+    sum.shear += spacing * p.shear;
     sum.drag += spacing * (n.viscosity == ViscosityForm::Laplacian ? p.laplace : p.drag) * (1 + depth / from);
   }
   return sum;
@@ -111,6 +114,7 @@ WallIntegrals scaledAt(const Numerics& n, double d, double conduct) {
   WallIntegrals w = rawIntegrals(n, d);
   w.drag = dragAt(n, d);
   w.conduct *= conduct;
+  w.shear /= 2 * rawIntegrals(n, 0.5 / n.support).shear;  // layers on both sides
   return w;
 }
 

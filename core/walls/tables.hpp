@@ -17,9 +17,10 @@ namespace thaw {
 /// drag: the same for a velocity along the wall with the scene's viscosity, scaled so that layers of
 /// particles one spacing apart, wherever the first one lies, have the total stress mu du/dz in a linear
 /// profile. space: relativeDensity before forLiquids. momentShare: sum V z |dW/dz| (1), the wall's part of
-/// the moment along the normal; z: distance to a layer.
+/// the moment along the normal; z: distance to a layer. shear: the wall's share (1) of the dissipation of
+/// pairs in shear along the wall.
 struct WallIntegrals {
-  double relativeDensity = 0, push = 0, conduct = 0, drag = 0, space = 0, momentShare = 0;
+  double relativeDensity = 0, push = 0, conduct = 0, drag = 0, space = 0, momentShare = 0, shear = 0;
 };
 
 struct WallTables {
@@ -41,7 +42,8 @@ struct WallTables {
             between(a.conduct, b.conduct),
             between(a.drag, b.drag),
             between(a.space, b.space),
-            between(a.momentShare, b.momentShare)};
+            between(a.momentShare, b.momentShare),
+            between(a.shear, b.shear)};
   }
 };
 

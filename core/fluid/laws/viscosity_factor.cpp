@@ -36,7 +36,8 @@ double viscosityFactor(const ViscousNeighbours& s, double most) {
     for (int l = k; l < 6; l++, at++) pairs += (l == k ? 1 : 2) * Dk * occurrences(l) * D[l] * s.fourth[at];
   }
   if (!(squared > 0)) return 1;
-  const double factor = 4 * squared < most * pairs ? std::max(4 * squared / pairs, least) : most;
+  const double exact = 4 * squared * (1 - s.wallShear);
+  const double factor = exact < most * pairs ? std::max(exact / pairs, least) : most;
   return 1 + complete * (factor - 1);
 }
 

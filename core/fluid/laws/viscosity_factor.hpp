@@ -7,7 +7,8 @@ namespace thaw {
 /// Sums over the neighbours j of a liquid particle with weights a = V_j weight / d^2 (viscous_weight.hpp).
 /// Here d is the position difference in support radii, u the velocity difference (m/s).
 struct ViscousNeighbours {
-  double relativeDensity = 0;  ///< summed, without walls
+  double relativeDensity = 0;  ///< summed, with no-slip walls
+  double wallShear = 0;        ///< share of no-slip walls in the dissipation (WallIntegrals::shear)
   double second[6] = {};       ///< a d d: XX YY ZZ XY YZ XZ
   double velocity[9] = {};     ///< a u d, by rows of u, m/s
   double fourth[21] = {};      ///< a p_k p_l for l >= k, p: products of d in the order of `second`
@@ -17,8 +18,8 @@ struct ViscousNeighbours {
 /// D:D per volume, with the strain rate D. In a linear flow pairs dissipate mu / 2 sum_j a (d.D d)^2. On a
 /// lattice this depends on the directions of D: 0.89 to 1.06 of the exact value at rest, 0.54 to 1.26 while
 /// layers slide past each other. D is fitted to the velocities of the neighbours by least squares with the
-/// same weights; its trace is removed. The factor is 1 where neighbours are missing, close to a free surface
-/// or a wall, and lies between 1/2 and `most`.
+/// same weights; its trace is removed. Beside no-slip walls, pairs dissipate what walls do not. The factor is
+/// 1 where neighbours are missing, close to a free surface or a slip wall, and lies between 1/2 and `most`.
 double viscosityFactor(const ViscousNeighbours& sums, double most);
 
 }  // namespace thaw

@@ -15,6 +15,12 @@
 namespace thaw {
 
 struct CarryStep;
+
+/// Share of no-slip walls in the sums of a particle.
+struct WallShare {
+  float density = 0, shear = 0;  ///< 1, as in WallIntegrals
+};
+
 struct GroupRange {
   std::size_t begin, end;
 };
@@ -89,6 +95,7 @@ struct PairSums {
   Vec3f* concentrationGradient = nullptr;  ///< 1, h times the gradient of the relative density, with summed
                                            ///< densities; null: not needed
   float* viscosityCorrection = nullptr;    ///< 1, viscosityFactor() minus 1
+  const WallShare* viscosityWalls = nullptr;  ///< by owned row; null: no walls
   double largestViscosityFactor = 1;
   bool relief = false;        ///< records have forces of core/fluid/laws/lattice_relief.hpp
   Vec3d* smoothed = nullptr;  ///< m/s, velocity change by XSPH

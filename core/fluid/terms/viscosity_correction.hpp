@@ -59,6 +59,11 @@ template<class Real, class Kernel> struct ViscosityCorrection {
       if (i.pressurePhaseHeat.b[l] < Real(1)) continue;  // solid or melting
       ViscousNeighbours n;
       n.relativeDensity = static_cast<double>(total[l]);
+      if (in->viscosityWalls) {
+        const WallShare& walls = in->viscosityWalls[rows[l]];
+        n.relativeDensity += static_cast<double>(walls.density);
+        n.wallShear = static_cast<double>(walls.shear);
+      }
       for (int k = 0; k < 6; k++) n.second[k] = static_cast<double>(s.second[k][l]);
       for (int k = 0; k < 9; k++) n.velocity[k] = static_cast<double>(s.velocity[k][l]);
       for (int k = 0; k < 21; k++) n.fourth[k] = static_cast<double>(s.fourth[k][l]);

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/neighbours/rows_around.hpp"
+#include "core/neighbours/mixed_cells.hpp"
 #include "core/solid/elasticity/active_slots.hpp"
 
 namespace thaw {
@@ -25,55 +25,6 @@ constexpr double soonMelts = 0.5;
 /// Particles closer than this (spacings) to another body stay elastic. Larger than the contact distance, so
 /// contacts act on elastic particles.
 constexpr double nearBody = 1.5;
-
-/// Smallest and largest value of the solids in a cell.
-struct Range {
-  std::uint64_t low = ~std::uint64_t{0}, high = 0;
-  void add(const Range& o) { low = std::min(low, o.low), high = std::max(high, o.high); }
-  bool mixed() const { return low < high; }
-};
-
-template<class Value> std::vector<Range> rangesOfCells(const RigidView& v, const Column<Value>& values) {
-  std::vector<Range> ranges(v.cells.key.size());
-  for (std::size_t c = 0; c < ranges.size(); c++)
-    for (std::size_t i = v.cells.first[c]; i < v.cells.first[c] + v.cells.count[c]; i++)
-      if (v.particles.phase[i] == Solid) ranges[c].add({values[i], values[i]});
-  return ranges;
-}
-
-bool anyMixed(std::span<const Range> ranges) {
-  Range all;
-  for (const Range& r : ranges) all.add(r);
-  return all.mixed();
-}
-
-/// Range of the 27 cells around a cell.
-Range rangeAround(const CellTable& cells, std::span<const Range> ranges, std::uint64_t key) {
-  const Vec3i at = cellOfKey(key);
-  Range around;
-  for (int z = -1; z <= 1; z++)
-    for (int y = -1; y <= 1; y++) {
-      const std::uint64_t last = cellKey({at.x + 1, at.y + y, at.z + z});
-      auto k = std::lower_bound(cells.key.begin(), cells.key.end(), cellKey({at.x - 1, at.y + y, at.z + z}));
-      for (; k != cells.key.end() && *k <= last; ++k)
-        around.add(ranges[static_cast<std::size_t>(k - cells.key.begin())]);
-    }
-  return around;
-}
-
-/// Calls use(cell, rows around it) for cells of owned rows around which solids have different values, until
-/// it returns true. Returns true if it did.
-template<class Use> bool anyMixedCell(const RigidView& v, std::span<const Range> ranges, const Use& use) {
-  if (!anyMixed(ranges)) return false;
-  std::vector<RowSpan> rows;
-  for (std::size_t c = 0; c < ranges.size(); c++) {
-    if (v.cells.first[c] >= v.particles.owned) continue;
-    if (!rangeAround(v.cells, ranges, v.cells.key[c]).mixed()) continue;
-    rowsAround(v.cells, v.cells.key[c], rows);
-    if (use(c, rows)) return true;
-  }
-  return false;
-}
 
 bool isSoft(const Scene& scene, const Continuum& p, std::size_t i, double margin) {
   if (!p.liquid.active) return false;
@@ -147,15 +98,17 @@ void wakeNearBodies(const RigidifyView& v) {
   Continuum& p = v.rigid.particles;
   const CellTable& cells = v.rigid.cells;
   const double near = nearBody * v.rigid.scene.spacing;
-  anyMixedCell(v.rigid, rangesOfCells(v.rigid, p.body), [&](std::size_t c, std::span<const RowSpan> rows) {
-    for (std::size_t i = cells.first[c]; i < cells.first[c] + cells.count[c]; i++)
-      for (const RowSpan& r : rows)
-        for (std::uint32_t j = r.begin; j < r.end && p.restTime[i] > 0; j++) {
-          const Vec3d d = p.position[j] - p.position[i];
-          if (p.phase[j] == Solid && p.body[j] != p.body[i] && dot(d, d) < near * near) p.restTime[i] = 0;
-        }
-    return false;
-  });
+  anyMixedCell(cells, p.owned, rangesOfCells(cells, p, p.body),
+               [&](std::size_t c, std::span<const RowSpan> rows) {
+                 for (std::size_t i = cells.first[c]; i < cells.first[c] + cells.count[c]; i++)
+                   for (const RowSpan& r : rows)
+                     for (std::uint32_t j = r.begin; j < r.end && p.restTime[i] > 0; j++) {
+                       const Vec3d d = p.position[j] - p.position[i];
+                       if (p.phase[j] == Solid && p.body[j] != p.body[i] && dot(d, d) < near * near)
+                         p.restTime[i] = 0;
+                     }
+                 return false;
+               });
 }
 
 void wakeStretching(const RigidifyView& v, std::int64_t step) {
@@ -212,7 +165,7 @@ bool findDeforming(const RigidifyView& v, double dt) {
 bool nothingDeforms(const RigidifyView& v) {
   const RigidView& r = v.rigid;
   if (r.work.changedHere || anyActiveSlot(v.elastic, v.solids)) return false;
-  return !anyMixedCell(r, rangesOfCells(r, r.particles.piece),
+  return !anyMixedCell(r.cells, r.particles.owned, rangesOfCells(r.cells, r.particles, r.particles.piece),
                        [](std::size_t, std::span<const RowSpan>) { return true; });
 }
 

@@ -6,6 +6,7 @@
 #include "core/simulation/modules/step_modules.hpp"
 #include "core/simulation/step_context.hpp"
 #include "core/simulation/sums/softening.hpp"
+#include "core/simulation/views/body_contact_view.hpp"
 #include "core/time/frame_times.hpp"
 #include "core/walls/spring_changes.hpp"
 
@@ -33,6 +34,8 @@ void recordChanges(StepContext& c) {
   if (!(c.reduction.pairsChange > 0)) return;
   refresh(c.halos.cells, p, changedColumns(c)).wait();
   recordStiffnessChanges(c.w.scene, c.t.phaseEnergy.touching, next, p, c.w.ledger.phaseJump);
+  if (c.w.modules.bodyContact)
+    recordStiffnessChanges(bodyContactView(c.w, c.t, c.walls.span, 0), next, c.w.ledger.phaseJump);
   recordPairEnergyChange(c.w, c.t);
 }
 
@@ -45,7 +48,8 @@ StepModule energyOfPhaseChange() {
             [](StepContext& c) { rememberSprings(c.walls, c.t.wallContacts, c.t.phaseEnergy.springs); }},
            {ModulePhase::Limits,
             [](StepContext& c) {
-              if (changesStiffness(c.t.phaseEnergy.touching, c.w.particles) || pairEnergyChanges(c.w, c.t))
+              if (changesStiffness(c.t.phaseEnergy.touching, c.w.particles) ||
+                  changesStiffness(c.t.bodyContact, c.w.particles) || pairEnergyChanges(c.w, c.t))
                 c.reduction.pairsChange = 1;
             }},
            {ModulePhase::EndOfStep, [](StepContext& c) {

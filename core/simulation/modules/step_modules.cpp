@@ -7,6 +7,7 @@ std::vector<StepModule> stepModules() {
   // Loads from outside come first: implicit viscosity and thermostats depend on all other forces and heat.
   return {outsideLoads(),
           solidContact(),
+          bodyContact(),
           sleepOfSolids(),
           vanishingObstacles(),
           summedDensity(),

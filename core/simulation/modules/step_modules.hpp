@@ -24,6 +24,7 @@ struct StepModule {
 // In the order of stepModules().
 StepModule outsideLoads();
 StepModule solidContact();
+StepModule bodyContact();
 StepModule sleepOfSolids();
 StepModule vanishingObstacles();
 StepModule summedDensity();

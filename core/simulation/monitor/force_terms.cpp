@@ -6,6 +6,7 @@
 #include "core/contact/solid_contact.hpp"
 #include "core/simulation/sums/particle_sums.hpp"
 #include "core/simulation/time/integrate.hpp"
+#include "core/simulation/views/body_contact_view.hpp"
 #include "core/simulation/views/views.hpp"
 
 namespace thaw {
@@ -42,6 +43,7 @@ ForceTerms forceTerms(World& w, StepTools& t, std::size_t i) {
   if (w.modules.contact)
     take(f.contact, forceOf(p, i, [&] {
            addSolidContacts({w.scene, w.grid, w.solids, w.bonds, dt > 0 ? dt : w.clock.dt}, t.closePairs, p);
+           if (w.modules.bodyContact) addBodyContacts(bodyContactView(w, t, dt > 0 ? dt : w.clock.dt, 0), {});
          }));
   const WallContext walls{wallView(w),           t.wallTables, t.liquids, dt, dt > 0 ? dt : w.clock.dt,
                           1.0 / w.clock.substeps};

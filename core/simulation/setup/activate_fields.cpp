@@ -82,6 +82,7 @@ void activateFields(World& w, StepTools& t) {
   turnOn(p, m.solid, {&p.slot});
   turnOn(p, m.substeps, {&p.fastAcceleration});
   turnOn(p, m.freezing, {&p.contactOffset});
+  turnOn(p, m.bodyContact, {&p.contactRest, &p.contactShear, &p.bodyContact});
   if (m.rigid) activatePieceFields(w);
   turnOn(p, m.sleep, {&p.restTime, &p.sleep, &p.constraintForce});
   if (m.sleep)  // values of skipped rows persist and move with their rows

@@ -302,8 +302,27 @@ bool viscosityCorrectionDue(const World& w) {
   return w.modules.viscosityCorrection && (w.modules.implicitViscosity || w.clock.step % everySteps == 0);
 }
 
+namespace {
+
+/// Finds the shares of no-slip walls by owned row.
+void findWallShares(const World& w, const StepTools& t, std::vector<WallShare>& shares) {
+  shares.assign(w.particles.owned, {});
+  for (const WallContact& c : t.wallContacts.list) {
+    if (w.walls.list[c.wall].properties.slip) continue;
+    const WallIntegrals at = t.wallTables(c.distance / w.grid.support);
+    shares[c.row].density += static_cast<float>(at.space * c.share);
+    shares[c.row].shear += static_cast<float>(at.shear * c.share);
+  }
+}
+
+}  // namespace
+
 void correctViscosity(World& w, StepTools& t) {
   PairSums s = pairSumsOf(w, t);
+  if (!t.wallContacts.list.empty()) {
+    findWallShares(w, t, t.wallShares);
+    s.viscosityWalls = t.wallShares.data();
+  }
   s.viscosityCorrection = w.particles.viscosityCorrection.data();
   s.largestViscosityFactor = w.modules.implicitViscosity ? 2 : 1.25;
   t.kernels->viscosityCorrection(s, {0, w.neighbours.groups});

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/contact/body_contact.hpp"
 #include "core/contact/solid_contact.hpp"
 #include "core/halo/bonded_rows.hpp"
 #include "core/solid/bonds/bond_forming.hpp"
@@ -54,6 +55,7 @@ BondForming bondForming(const World& w, const StepTools& t) {
                                      : BondRule::Freezing;
   forming.support = t.elastic.support;
   forming.touch = contactDistance * w.scene.spacing;  // distance of contact repulsion
+  forming.touchBodies = weldDistance * w.scene.spacing;
   forming.selfWeld = w.scene.numerics.selfContact;
   forming.periods = t.elastic.periods;
   forming.materials = &w.scene.materials;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/contact/body_contact.hpp"
 #include "core/contact/solid_contact.hpp"
 #include "core/domain/emit.hpp"
 #include "core/domain/field_update.hpp"
@@ -65,6 +66,8 @@ struct StepTools {
   std::vector<std::uint8_t> inner, liquidCells;
   std::size_t ghostRoom = 1024;  ///< rows reserved for ghosts between the owned rows and the dummy row
   ClosePairs closePairs;
+  BodyContactWork bodyContact;
+  std::vector<WallShare> wallShares;  ///< by owned row, with corrected viscosity
   CarryWork carry;
   std::vector<DissipativeForce> contactResistance;
   WallContacts wallContacts;

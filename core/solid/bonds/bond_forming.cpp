@@ -21,6 +21,12 @@ bool wanted(const Continuum& p, const BondForming& f, std::size_t i, std::size_t
   return f.rule == BondRule::Welding && mayWeld(p, f, i, j);
 }
 
+/// Returns true if particles at a distance x (m) touch.
+bool touches(const Continuum& p, const BondForming& f, std::size_t i, std::size_t j, const Vec3d& x) {
+  const double reach = p.body[i] == p.body[j] ? f.touch : f.touchBodies;
+  return dot(x, x) < reach * reach;
+}
+
 bool bonded(const Solids& solids, const Bonds& bonds, std::size_t slot, std::uint64_t id) {
   for (int k = 0; k < bonds.capacity; k++) {
     if (bonds.hasBond(slot, k) && solids.id[bonds.neighbour[bonds.at(slot, k)]] == id) return true;
@@ -64,7 +70,7 @@ bool touchesToWeld(const Continuum& p, const Solids& solids, const Bonds& bonds,
         const std::size_t j = lists.row(g, n, l);
         if (j == lists.dummy || p.phase[j] != Solid || p.id[j] == p.id[i] || !mayWeld(p, f, i, j)) continue;
         const Vec3d x = p.position[j] - p.position[i];
-        if (dot(x, x) < f.touch * f.touch && !bonded(solids, bonds, p.slot[i], p.id[j])) return true;
+        if (touches(p, f, i, j, x) && !bonded(solids, bonds, p.slot[i], p.id[j])) return true;
       }
     }
   return false;
@@ -88,7 +94,7 @@ std::int64_t formBonds(const Continuum& p, const Solids& solids, const Bonds& bo
         const Vec3d x = minimumImage(place[j] - place[i], forming.periods);
         const double weight = bondWeight(x, forming.support);
         const bool old = frames && !p.justFrozen[i] && !p.justFrozen[j];
-        if (!(weight > 0) || (old && !(dot(x, x) < forming.touch * forming.touch))) continue;
+        if (!(weight > 0) || (old && !touches(p, forming, i, j, x))) continue;
         if (old && bonded(solids, bonds, p.slot[i], p.id[j])) continue;
         requests.push_back({p.slot[i], p.id[j], frames ? referenceIn(p.frame[i], x) : x,
                             frames ? referenceIn(p.frame[j], -x) : -x, weight,

@@ -20,10 +20,11 @@ enum class BondRule {
 
 struct BondForming {
   BondRule rule = BondRule::Start;
-  double support = 0;     ///< m, upper limit of bond lengths
-  double touch = 0;       ///< m, for Welding
-  bool selfWeld = false;  ///< pieces of one body weld too, unless their material breaks: cracks do not heal
-                          ///< by closing
+  double support = 0;      ///< m, upper limit of bond lengths
+  double touch = 0;        ///< m, for Welding
+  double touchBodies = 0;  ///< m, the same for particles of different bodies
+  bool selfWeld = false;   ///< pieces of one body weld too, unless their material breaks: cracks do not heal
+                           ///< by closing
   Periods periods;
   const std::vector<Material>* materials = nullptr;
 };

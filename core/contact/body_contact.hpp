@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contact of solids of different bodies. Each solid particle counts the particles of other bodies around it,
+// weighted with a kernel that is wide enough to smooth their lattice. It is pressed where the sum exceeds
+// that of a flat surface one spacing away:
+//
+//   phi_i = sum_j w(r_ij),   E_i = 1/2 c k_i (phi_i - phi_0)^2,   k_i = sum_j w k_ij / phi_i
+//
+// with k_ij the harmonic mean of both E * spacing, and c such that two flat faces act as springs of stiffness
+// k_ij per pair of facing particles. These forces are central: energy, momentum and angular momentum are
+// conserved. Friction is a spring along the surface (CS79), whose displacement is part of the state. It
+// follows Coulomb's law, and holds solids at rest.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/contact/contact_pair.hpp"
+#include "core/fluid/pair_sums/pair_sums.hpp"
+#include "core/math/exact_sum.hpp"
+#include "core/neighbours/grid.hpp"
+#include "core/particles/continuum.hpp"
+#include "core/particles/solids.hpp"
+#include "core/scene/scene.hpp"
+
+namespace thaw {
+
+/// Distance (in spacings) below which solids of different bodies weld. Faces that touch are a spacing apart,
+/// and a particle above the middle of four others of a face is 1.22 spacings from each.
+inline constexpr double weldDistance = 1.25;
+
+/// Kernel of the sum over other bodies, and its value at a flat surface of a cubic lattice.
+struct ContactKernel {
+  double radius = 0;   ///< m
+  double touch = 0;    ///< 1, sum at one spacing from a flat surface
+  double overlap = 0;  ///< 1, sum at half a spacing: the largest sum without force (contactRest)
+  double slope = 0;    ///< 1/m, rate of the sum towards the surface, at one spacing
+
+  /// Weight (1) at a distance r (m), 1 at 0.
+  double weight(double r) const;
+  /// Minus its derivative (1/m).
+  double steepness(double r) const;
+};
+
+/// Returns the kernel for a spacing (m) and a support radius (m). Its radius is two spacings, or the support
+/// radius if that is smaller.
+ContactKernel contactKernel(double spacing, double support);
+
+/// A solid particle with other bodies in reach.
+struct BodyTouch {
+  std::uint32_t row;
+  std::uint32_t first, last;    ///< its pairs in BodyContactWork::pairs
+  double energy = 0, rate = 0;  ///< J, W: its contact energy without friction, and its rate
+  double sheared = 0;           ///< J, energy of its friction spring
+  double lost = 0;              ///< W, loss by friction
+  double shearStiffness = 0;    ///< N/m, of its friction spring
+  Vec3d motion{};               ///< m/s, relative to the other bodies
+  float liquid = 0;             ///< liquid fraction
+  bool pressed = false;         ///< it or one of its neighbours has a contact force
+};
+
+struct BodyContactWork {
+  std::vector<ClosePair> pairs;  ///< solids of different bodies, by own row
+  std::vector<BodyTouch> rows;
+  std::vector<DissipativeForce> resistance;  ///< N, by row
+};
+
+struct BodyContactView {
+  const Scene& scene;
+  const CellGrid& grid;
+  const CellTable& cells;
+  const Solids& solids;
+  const Bonds& bonds;
+  Continuum& particles;
+  BodyContactWork& work;
+  double step;   ///< s, current step; dashpots remove at most a fifth of a pair's velocity in it
+  double dt;     ///< s, step that ends now; 0 for an evaluation without a step
+  bool welding;  ///< particles of different bodies may have bonds
+};
+
+/// Finds the solids with other bodies in reach, and sets Continuum::bodyContact, contactRest and contactShear
+/// of owned rows. frozen: Ledger::phaseJump if a particle just froze on any rank, else null; takes the
+/// contact energy (J) that freezing creates. Requires: positions, velocities, phases and liquid fractions of
+/// ghosts.
+void findBodyTouches(const BodyContactView& view, ExactSum* frozen);
+
+/// Returns whether a particle of this rank touches another body, or will do so within two steps.
+bool touchesSoon(const BodyContactView& view);
+
+/// Adds the contact forces and energies of owned rows, in the order of their pairs, except for rows with
+/// skipped[row] (empty: none). The dissipation uses the velocities of the force evaluation; recordResistance
+/// adds the correction of second order in the step. Requires: Continuum::bodyContact of ghosts.
+void addBodyContacts(const BodyContactView& view, std::span<const std::uint8_t> skipped);
+
+/// Returns whether the contact energy of a row changes with the phase of its own particle.
+bool changesStiffness(const BodyContactWork& work, const Continuum& particles);
+
+/// Records the change of contact energies at the same positions, as recordStiffnessChanges of pairs does.
+/// Requires: liquid fractions and phases of ghosts. next: s, the next step.
+void recordStiffnessChanges(const BodyContactView& view, double next, ExactSum& phaseJump);
+
+}  // namespace thaw

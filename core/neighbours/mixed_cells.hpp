@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cells around which the solids have different values, such as bodies.
+#pragma once
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/neighbours/grid.hpp"
+#include "core/neighbours/rows_around.hpp"
+#include "core/particles/continuum.hpp"
+
+namespace thaw {
+
+/// Smallest and largest value of the solids in a cell.
+struct ValueRange {
+  std::uint64_t low = ~std::uint64_t{0}, high = 0;
+  void add(const ValueRange& o) { low = std::min(low, o.low), high = std::max(high, o.high); }
+  bool mixed() const { return low < high; }
+};
+
+/// Returns the ranges of the values of solids, by cell.
+template<class Value>
+std::vector<ValueRange> rangesOfCells(const CellTable& cells, const Continuum& p,
+                                      const Column<Value>& values) {
+  std::vector<ValueRange> ranges(cells.key.size());
+  for (std::size_t c = 0; c < ranges.size(); c++)
+    for (std::size_t i = cells.first[c]; i < cells.first[c] + cells.count[c]; i++)
+      if (p.phase[i] == Solid) ranges[c].add({values[i], values[i]});
+  return ranges;
+}
+
+inline bool anyMixed(std::span<const ValueRange> ranges) {
+  ValueRange all;
+  for (const ValueRange& r : ranges) all.add(r);
+  return all.mixed();
+}
+
+/// Range of the 27 cells around a cell.
+inline ValueRange rangeAround(const CellTable& cells, std::span<const ValueRange> ranges, std::uint64_t key) {
+  const Vec3i at = cellOfKey(key);
+  ValueRange around;
+  for (int z = -1; z <= 1; z++)
+    for (int y = -1; y <= 1; y++) {
+      const std::uint64_t last = cellKey({at.x + 1, at.y + y, at.z + z});
+      auto k = std::lower_bound(cells.key.begin(), cells.key.end(), cellKey({at.x - 1, at.y + y, at.z + z}));
+      for (; k != cells.key.end() && *k <= last; ++k)
+        around.add(ranges[static_cast<std::size_t>(k - cells.key.begin())]);
+    }
+  return around;
+}
+
+/// Calls use(cell, rows around it) for cells of owned rows around which solids have different values, until
+/// it returns true. Returns true if it did.
+template<class Use>
+bool anyMixedCell(const CellTable& cells, std::size_t owned, std::span<const ValueRange> ranges,
+                  const Use& use) {
+  if (!anyMixed(ranges)) return false;
+  std::vector<RowSpan> rows;
+  for (std::size_t c = 0; c < ranges.size(); c++) {
+    if (cells.first[c] >= owned) continue;
+    if (!rangeAround(cells, ranges, cells.key[c]).mixed()) continue;
+    rowsAround(cells, cells.key[c], rows);
+    if (use(c, rows)) return true;
+  }
+  return false;
+}
+
+}  // namespace thaw

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/contact/body_contact.hpp"
+
+#include "core/simulation/modules/step_modules.hpp"
+#include "core/simulation/step_context.hpp"
+#include "core/simulation/views/body_contact_view.hpp"
+
+namespace thaw {
+
+StepModule bodyContact() {
+  return {"contact of bodies",
+          [](const World& w, const StepTools&) { return w.modules.bodyContact; },
+          {{ModulePhase::Density,
+            [](StepContext& c) {
+              findBodyTouches(bodyContactView(c.w, c.t, c.walls.span, c.dt),
+                              c.justFrozen ? &c.w.ledger.phaseJump : nullptr);
+            }},
+           {ModulePhase::Contact,
+            [](StepContext& c) {
+              const BodyContactView view = bodyContactView(c.w, c.t, c.walls.span, c.dt);
+              addBodyContacts(view, c.t.sleep.skipped);
+              if (c.w.modules.rareContact) c.contactNear = c.contactNear || touchesSoon(view);
+            }},
+           {ModulePhase::AllForces,
+            [](StepContext& c) { recordResistance(c.walls, c.t.bodyContact.resistance); }}}};
+}
+
+}  // namespace thaw
