@@ -10,7 +10,7 @@
 namespace thaw {
 namespace {
 
-/// Sums of a particle over the solids of other bodies, with their weights w and g = -dw/dr.
+/// Sums of a particle over the solids of other bodies, with the weights w and g = -dw/dr, times both shares.
 struct BodySums {
   double phi = 0, rate = 0;                 ///< 1, 1/s: sum of w, and its rate
   double stiffness = 0, stiffnessRate = 0;  ///< N/m, N/(m s): sum of w k, and its rate
@@ -29,6 +29,29 @@ struct Press {
   double normal = 0;                            ///< J, mean factor of the pairs
 };
 
+struct FaceSum {
+  double sum = 0, slope = 0;  ///< 1, 1/m
+};
+
+/// Sum of the kernel, and its rate, `height` spacings above a flat surface of a cubic lattice.
+FaceSum overFace(const ContactKernel& k, double spacing, double height) {
+  FaceSum f;
+  constexpr int reach = 2;
+  for (int z = 0; z <= reach; z++)
+    for (int y = -reach; y <= reach; y++)
+      for (int x = -reach; x <= reach; x++) {
+        const double up = z + height, r = spacing * std::sqrt(x * x + y * y + up * up);
+        f.sum += k.weight(r);
+        f.slope += k.steepness(r) * spacing * up / r;
+      }
+  return f;
+}
+
+/// Product of the shares (1) of a pair.
+double shareOf(const ContactKernel& kernel, const Continuum& p, const ClosePair& pair) {
+  return kernel.share(p.contactDepth[pair.own]) * kernel.share(p.contactDepth[pair.other]);
+}
+
 std::span<const ClosePair> pairsOf(const BodyContactWork& work, const BodyTouch& touch) {
   return {work.pairs.data() + touch.first, work.pairs.data() + touch.last};
 }
@@ -42,7 +65,8 @@ BodySums sumsOf(const BodyContactView& v, const ContactKernel& kernel, std::span
   for (const ClosePair& pair : pairs) {
     if (!wanted(pair)) continue;
     const Vec3d d = exactDifference(v.grid, p.position[pair.own], p.position[pair.other]);
-    const double r = length(d), w = kernel.weight(r), g = kernel.steepness(r);
+    const double r = length(d), share = shareOf(kernel, p, pair);
+    const double w = share * kernel.weight(r), g = share * kernel.steepness(r);
     const ContactPair c = contactPair(v.scene, p, pair.own, pair.other, v.step);
     s.phi += w;
     s.stiffness += w * c.stiffness;
@@ -215,26 +239,30 @@ double ContactKernel::steepness(double r) const {
   return q > 0 ? 12 * r / (radius * radius) * (q * q) * (q * q * q) : 0;
 }
 
+double ContactKernel::share(float depth) const {
+  if (!(depth > 0 && depth < 0.5F)) return 1;  // 0: not known
+  const double x = 2 * depths * static_cast<double>(depth);
+  const auto k = static_cast<std::size_t>(x);
+  return shares[k] + (shares[k + 1] - shares[k]) * (x - static_cast<double>(k));
+}
+
 ContactKernel contactKernel(double spacing, double support) {
   ContactKernel k{std::min(2 * spacing, support)};
-  constexpr int reach = 2;
-  for (int z = 0; z <= reach; z++)
-    for (int y = -reach; y <= reach; y++)
-      for (int x = -reach; x <= reach; x++) {
-        const auto at = [&](double height) {
-          return spacing * std::sqrt(x * x + y * y + (z + height) * (z + height));
-        };
-        const double r = at(1);
-        k.touch += k.weight(r);
-        k.overlap += k.weight(at(0.5));
-        k.slope += k.steepness(r) * spacing * (z + 1) / r;
-      }
+  k.touch = overFace(k, spacing, 1).sum;
+  k.slope = overFace(k, spacing, 1).slope;
+  k.overlap = overFace(k, spacing, 0.5).sum;
+  for (std::size_t n = 0; n < k.shares.size(); n++)
+    k.shares[n] = k.touch / overFace(k, spacing, 0.5 + 0.5 * static_cast<double>(n) / ContactKernel::depths).sum;
   return k;
+}
+
+void prepareBodyContact(const Scene& scene, const CellGrid& grid, BodyContactWork& work) {
+  work.kernel = contactKernel(scene.spacing, grid.support);
 }
 
 void findBodyTouches(const BodyContactView& v, ExactSum* frozen) {
   Continuum& p = v.particles;
-  const ContactKernel kernel = contactKernel(v.scene.spacing, v.grid.support);
+  const ContactKernel& kernel = v.work.kernel;
   listRows(v, kernel.radius);
   std::fill_n(p.bodyContact.data(), p.owned, Mat3f{});
   for (BodyTouch& touch : v.work.rows) findTouch(v, kernel, touch, frozen);
@@ -243,7 +271,7 @@ void findBodyTouches(const BodyContactView& v, ExactSum* frozen) {
 }
 
 bool touchesSoon(const BodyContactView& v) {
-  const ContactKernel kernel = contactKernel(v.scene.spacing, v.grid.support);
+  const ContactKernel& kernel = v.work.kernel;
   return std::any_of(v.work.rows.begin(), v.work.rows.end(), [&](const BodyTouch& touch) {
     const BodySums s = sumsOf(v, kernel, pairsOf(v.work, touch), [](const ClosePair&) { return true; });
     return s.phi + 2 * v.step * std::max(s.rate, 0.0) >= restOf(kernel, v.particles, touch.row);
@@ -252,7 +280,7 @@ bool touchesSoon(const BodyContactView& v) {
 
 void addBodyContacts(const BodyContactView& v, std::span<const std::uint8_t> skipped) {
   Continuum& p = v.particles;
-  const ContactKernel kernel = contactKernel(v.scene.spacing, v.grid.support);
+  const ContactKernel& kernel = v.work.kernel;
   v.work.resistance.clear();
   for (BodyTouch& touch : v.work.rows) {
     const std::uint32_t i = touch.row;
@@ -267,7 +295,7 @@ void addBodyContacts(const BodyContactView& v, std::span<const std::uint8_t> ski
       const Vec3d d = exactDifference(v.grid, p.position[i], p.position[j]);
       const double r = length(d);
       if (!(r > 0)) continue;
-      const double g = kernel.steepness(r), k = contactStiffness(v.scene, p, i, j);
+      const double g = shareOf(kernel, p, pair) * kernel.steepness(r), k = contactStiffness(v.scene, p, i, j);
       const Vec3d n = d / r, u = p.velocity[i] - p.velocity[j];
       const Vec3d dissipative = (n * sumOf(own.row[0].z, other.row[0].z) +
                                  (wide(own.row[2]) - wide(other.row[2]))) *
@@ -295,7 +323,7 @@ bool changesStiffness(const BodyContactWork& work, const Continuum& p) {
 
 void recordStiffnessChanges(const BodyContactView& v, double next, ExactSum& phaseJump) {
   Continuum& p = v.particles;
-  const ContactKernel kernel = contactKernel(v.scene.spacing, v.grid.support);
+  const ContactKernel& kernel = v.work.kernel;
   for (const BodyTouch& touch : v.work.rows) {
     if (!(touch.energy > 0)) continue;
     const BodySums s = sumsOf(v, kernel, pairsOf(v.work, touch),

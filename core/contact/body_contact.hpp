@@ -3,13 +3,15 @@
 // weighted with a kernel that is wide enough to smooth their lattice. It is pressed where the sum exceeds
 // that of a flat surface one spacing away:
 //
-//   phi_i = sum_j w(r_ij),   E_i = 1/2 c k_i (phi_i - phi_0)^2,   k_i = sum_j w k_ij / phi_i
+//   phi_i = sum_j s_i s_j w(r_ij),   E_i = 1/2 c k_i (phi_i - phi_0)^2,   k_i = sum_j s_i s_j w k_ij / phi_i
 //
 // with k_ij the harmonic mean of both E * spacing, and c such that two flat faces act as springs of stiffness
-// k_ij per pair of facing particles. These forces are central: energy, momentum and angular momentum are
-// conserved. Friction is a spring along the surface (CS79), whose displacement is part of the state. It
+// k_ij per pair of facing particles. The share s of a particle is 1 half a spacing below the surface of its
+// body, and less above (Continuum::contactDepth), so that faces touch where the surfaces of the bodies meet.
+// These forces are central: energy, momentum and angular momentum are conserved. Friction is a spring along the surface (CS79), whose displacement is part of the state. It
 // follows Coulomb's law, and holds solids at rest.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -34,7 +36,11 @@ struct ContactKernel {
   double touch = 0;    ///< 1, sum at one spacing from a flat surface
   double overlap = 0;  ///< 1, sum at half a spacing: the largest sum without force (contactRest)
   double slope = 0;    ///< 1/m, rate of the sum towards the surface, at one spacing
+  static constexpr int depths = 16;
+  std::array<double, depths + 1> shares{};  ///< 1, at depths k / depths * 1/2 spacing
 
+  /// Share (1) of a particle by its Continuum::contactDepth.
+  double share(float depth) const;
   /// Weight (1) at a distance r (m), 1 at 0.
   double weight(double r) const;
   /// Minus its derivative (1/m).
@@ -59,6 +65,7 @@ struct BodyTouch {
 };
 
 struct BodyContactWork {
+  ContactKernel kernel;
   std::vector<ClosePair> pairs;  ///< solids of different bodies, by own row
   std::vector<BodyTouch> rows;
   std::vector<DissipativeForce> resistance;  ///< N, by row
@@ -76,6 +83,9 @@ struct BodyContactView {
   double dt;     ///< s, step that ends now; 0 for an evaluation without a step
   bool welding;  ///< particles of different bodies may have bonds
 };
+
+/// Sets the kernel. Call it once, before the functions below.
+void prepareBodyContact(const Scene& scene, const CellGrid& grid, BodyContactWork& work);
 
 /// Finds the solids with other bodies in reach, and sets Continuum::bodyContact, contactRest and contactShear
 /// of owned rows. frozen: Ledger::phaseJump if a particle just froze on any rank, else null; takes the

@@ -16,21 +16,6 @@ bool willTouch(const ContactContext& x, const Continuum& p, const ClosePair& pai
   return !(gap > -2 * x.step * dot(p.velocity[pair.own] - p.velocity[pair.other], n)) || gap <= 0;
 }
 
-/// Half of the energy (J) of a spring that begins to act in a step: as overlap and growth in it are those of
-/// a TouchingPair, the force does the work of its half kick only.
-double energyThatAppears(const TouchingPair& pair, double dt) {
-  return 0.25 * pair.stiffness * pair.overlap * (pair.overlap - dt * pair.growth);
-}
-
-/// Records a new contact of a particle that just froze, and lists the pair if its stiffness may change.
-void recordTouch(const ContactContext& x, const Continuum& p, TouchingPair pair) {
-  if (x.frozen && (p.justFrozen[pair.own] || p.justFrozen[pair.other]))
-    x.frozen->add(-energyThatAppears(pair, x.step));
-  if (!x.touching) return;
-  pair.liquid = p.liquid[pair.own];
-  x.touching->push_back(pair);
-}
-
 }  // namespace
 
 void addSolidContacts(const ContactContext& x, const ClosePairs& pairs, Continuum& p) {
@@ -51,7 +36,7 @@ void addSolidContacts(const ContactContext& x, const ClosePairs& pairs, Continuu
     const double k = c.stiffness;
     p.interaction[i] += 0.25 * k * (d0 - r) * (d0 - r);  // half of the pair energy
     const Vec3d u = p.velocity[i] - p.velocity[j];
-    recordTouch(x, p, {i, j, 0, k, d0 - r, r > 0 ? -dot(u, d) / r : 0});
+    if (x.touching) x.touching->push_back({i, j, p.liquid[i], k, d0 - r, r > 0 ? -dot(u, d) / r : 0});
     if (r == 0) continue;
     const Vec3d n = d / r;
     const double un = dot(u, n), spring = k * (d0 - r);

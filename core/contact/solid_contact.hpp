@@ -38,8 +38,6 @@ struct ContactContext {
   const Solids& solids;
   const Bonds& bonds;
   double step;  ///< s, current step; dashpots and friction remove at most a fifth of a pair's velocity in it
-  ExactSum* frozen = nullptr;  ///< Ledger::phaseJump if a particle just froze on any rank: takes the contact
-                               ///< energy that freezing creates (J)
   std::vector<TouchingPair>* touching = nullptr;  ///< receives the pairs with an energy; null: not needed
   std::vector<DissipativeForce>* dissipativeForce = nullptr;  ///< receives the dissipative force of every
                                                               ///< pair in list order; not summed per row,

@@ -8,6 +8,7 @@
 #include "core/flow/rheology/shear_sums.hpp"
 #include "core/fluid/flow_laws/flow_law.hpp"
 #include "core/fluid/laws/particle_pressure.hpp"
+#include "core/fluid/laws/sticking_viscosity.hpp"
 
 namespace thaw {
 namespace {
@@ -68,6 +69,7 @@ void findApparentViscosity(const WallContext& walls, const WallContacts& contact
 
 void packApparentViscosity(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end,
                            PairRecords& r) {
+  const bool pairwise = x.scene.numerics.viscosity == ViscosityForm::Pairwise;
   const auto pack = [&](auto real) {
     using Real = decltype(real);
     Real* const fourth = reinterpret_cast<Real*>(r.velocityViscosity.data()) + 3;
@@ -75,7 +77,9 @@ void packApparentViscosity(const RecordContext& x, const Continuum& p, std::size
       if (!hasFlowLaw(x.scene.materials[p.material[i]])) continue;
       const double factor = p.viscosityCorrection.active ? 1 + static_cast<double>(p.viscosityCorrection[i])
                                                          : 1;
-      fourth[4 * i] = static_cast<Real>(static_cast<double>(p.apparentViscosity[i]) * factor);
+      const double viscosity = static_cast<double>(p.apparentViscosity[i]) * factor;
+      fourth[4 * i] = static_cast<Real>(pairwise ? stickingViscosity(viscosity, liquidFraction(p, i))
+                                                 : viscosity);
     }
   };
   x.scene.numerics.precision == Precision::Double ? pack(double{}) : pack(float{});

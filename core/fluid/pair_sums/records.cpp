@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "core/fluid/laws/particle_pressure.hpp"
+#include "core/fluid/laws/sticking_viscosity.hpp"
 #include "core/materials/enthalpy.hpp"
 #include "core/materials/rest_density.hpp"
 #include "core/materials/state_equation.hpp"
@@ -107,7 +108,8 @@ void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::
   const double stiffness = carried ? x.liquids[0].stiffness : 1;
   const bool sums = sumsOverPairs(x.modules);
   const bool heat = x.modules.heat, melting = x.modules.melting, surface = r.surface.size() > 0,
-             uniform = x.modules.uniform, byPhase = p.restDensity.active;
+             uniform = x.modules.uniform, byPhase = p.restDensity.active,
+             pairwise = x.scene.numerics.viscosity == ViscosityForm::Pairwise;
   r.constant.clear();
   r.volumePerMass.clear();
   for (const Material& m : x.scene.materials) {
@@ -147,9 +149,10 @@ void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::
     const MaterialParameters local = m.melts() || (heat && !m.viscosityTable.empty())
                                          ? localParameters(x.scene.numerics.heat, m, f, T)
                                          : r.constant[k];
+    const double viscosity = local.viscosity *
+                             (corrected ? 1 + static_cast<double>(p.viscosityCorrection[i]) : 1);
     put(rows<Real>(r.velocityViscosity)[i], moved.flow,
-        static_cast<Real>(local.viscosity *
-                          (corrected ? 1 + static_cast<double>(p.viscosityCorrection[i]) : 1)));
+        static_cast<Real>(pairwise ? stickingViscosity(viscosity, f) : viscosity));
     const bool atSurface = surfaces && p.atSurface[i];
     const double wet = atSurface ? -f : f;
     if (!r.pressurePhaseHeat.empty())

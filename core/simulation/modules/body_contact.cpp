@@ -10,8 +10,12 @@ namespace thaw {
 StepModule bodyContact() {
   return {"contact of bodies",
           [](const World& w, const StepTools&) { return w.modules.bodyContact; },
-          {{ModulePhase::Density,
+          {{ModulePhase::WallContacts,  // before new bonds reset the flag
+            [](StepContext& c) { c.justFrozen = c.t.frozeAnywhere && c.w.modules.freezing && c.dt > 0; }},
+           {ModulePhase::Density,
             [](StepContext& c) {
+              if (c.justFrozen)
+                refresh(c.halos.cells, c.w.particles, ColumnList{&c.w.particles.justFrozen}).wait();
               findBodyTouches(bodyContactView(c.w, c.t, c.walls.span, c.dt),
                               c.justFrozen ? &c.w.ledger.phaseJump : nullptr);
             }},

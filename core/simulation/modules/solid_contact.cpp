@@ -9,14 +9,11 @@ StepModule solidContact() {
   return {
       "contact of solids",
       [](const World& w, const StepTools&) { return w.modules.contact; },
-      {{ModulePhase::WallContacts,
-        [](StepContext& c) { c.justFrozen = c.t.frozeAnywhere && c.w.modules.freezing && c.dt > 0; }},
-       {ModulePhase::Contact,
+      {{ModulePhase::Contact,
         [](StepContext& c) {
           World& w = c.w;
-          // Just frozen: records the jump of all contacts, as an evaluation with new coefficients does.
           addSolidContacts(
-              {w.scene, w.grid, w.solids, w.bonds, c.walls.span, c.justFrozen ? &w.ledger.phaseJump : nullptr,
+              {w.scene, w.grid, w.solids, w.bonds, c.walls.span,
                w.modules.melting ? &c.t.phaseEnergy.touching : nullptr, &c.t.contactResistance,
                w.modules.fluid ? nullptr : &w.counters.coincidentPairs,
                w.modules.rareContact ? &c.contactNear : nullptr},

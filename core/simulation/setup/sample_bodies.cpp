@@ -137,6 +137,18 @@ std::vector<std::int64_t> pointsInside(const World& w, std::size_t b, const Samp
   return points;
 }
 
+/// Sets Continuum::contactDepth of these points. A particle on the surface counts as slightly below it.
+void findDepths(const SignedDistance& shape, const SampleLattice& l, std::span<const std::int64_t> points,
+                double spacing, float* depths) {
+  constexpr double least = 0.05;
+  for (std::size_t k = 0; k < points.size(); k++) {
+    const std::int64_t point = points[k], row = point / l.count[0];
+    const Vec3d x = l.at(point % l.count[0], row % l.count[1], row / l.count[1]);
+    const double depth = -shape.distanceWithin(x, 0.5 * spacing) / spacing;
+    depths[k] = static_cast<float>(std::clamp(depth, least, 0.5));
+  }
+}
+
 /// Samples this rank's rows of one body's lattice.
 void sampleBody(World& w, std::size_t b, const Reducer& all, Sampling& found) {
   const SignedDistance& shape = *found.shapes[b];
@@ -153,6 +165,7 @@ void sampleBody(World& w, std::size_t b, const Reducer& all, Sampling& found) {
   p.resize(first + points.size(), 0);
   found.counts.particles[b] = static_cast<std::int64_t>(points.size());
   fillRows(w, b, {l, middleOf(shape), jitter}, points, first, found.counts.inClamp[b]);
+  if (p.contactDepth.active) findDepths(shape, l, points, s.spacing, p.contactDepth.data() + first);
   if (hasInitialFill(s, b)) {
     const std::vector<std::int32_t> fractions = cellFractions(shape, l, points);
     std::copy(fractions.begin(), fractions.end(), p.initialFill.data() + first);

@@ -202,6 +202,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   setScales(w, t);
   if (actsByCurvature(w.scene.numerics, w.modules)) declareTensionForce(w.particles);
   activateFields(w, t);
+  prepareBodyContact(w.scene, w.grid, t.bodyContact);
   t.phases = phasesOf(w, t);
 }
 

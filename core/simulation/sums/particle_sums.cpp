@@ -37,6 +37,7 @@ ColumnList ghostColumns(World& w) {
   const bool carriedPaths = p.compression.active && p.shiftingVelocity.active;
   if (carriedPaths) c.push_back(&p.shiftingVelocity);
   if (p.atSurface.active) c.push_back(&p.atSurface);
+  if (w.modules.bodyContact) c.push_back(&p.contactDepth);
   if (p.viscosityCorrection.active) c.push_back(&p.viscosityCorrection);
   if ((w.modules.incompressible || p.relief.active || carriedPaths) && p.clamped.active)
     c.push_back(&p.clamped);
