@@ -90,7 +90,7 @@ Press pressOf(const ContactKernel& kernel, const BodySums& s, double rest) {
   Press press;
   const double excess = s.phi - rest;
   if (!(excess > 0)) return press;
-  const double scale = 0.5 / (kernel.slope * kernel.slope), part = excess / s.phi;
+  const double slope = kernel.slopeAt(rest), scale = 0.5 / (slope * slope), part = excess / s.phi;
   press.energy = 0.5 * scale * s.stiffness * part * excess;
   press.byStiffness = 0.5 * scale * part * excess;
   press.alone = 0.5 * scale * s.stiffness / s.phi * part * (2 * s.phi - excess);
@@ -239,6 +239,10 @@ double ContactKernel::steepness(double r) const {
   return q > 0 ? 12 * r / (radius * radius) * (q * q) * (q * q * q) : 0;
 }
 
+double ContactKernel::slopeAt(double rest) const {
+  return slope + (overlapSlope - slope) * std::clamp((rest - touch) / (overlap - touch), 0.0, 1.0);
+}
+
 double ContactKernel::share(float depth) const {
   if (!(depth > 0 && depth < 0.5F)) return 1;  // 0: not known
   const double x = 2 * depths * static_cast<double>(depth);
@@ -251,8 +255,10 @@ ContactKernel contactKernel(double spacing, double support) {
   k.touch = overFace(k, spacing, 1).sum;
   k.slope = overFace(k, spacing, 1).slope;
   k.overlap = overFace(k, spacing, 0.5).sum;
+  k.overlapSlope = overFace(k, spacing, 0.5).slope;
   for (std::size_t n = 0; n < k.shares.size(); n++)
-    k.shares[n] = k.touch / overFace(k, spacing, 0.5 + 0.5 * static_cast<double>(n) / ContactKernel::depths).sum;
+    k.shares[n] = k.touch /
+                  overFace(k, spacing, 0.5 + 0.5 * static_cast<double>(n) / ContactKernel::depths).sum;
   return k;
 }
 

@@ -8,8 +8,9 @@
 // with k_ij the harmonic mean of both E * spacing, and c such that two flat faces act as springs of stiffness
 // k_ij per pair of facing particles. The share s of a particle is 1 half a spacing below the surface of its
 // body, and less above (Continuum::contactDepth), so that faces touch where the surfaces of the bodies meet.
-// These forces are central: energy, momentum and angular momentum are conserved. Friction is a spring along the surface (CS79), whose displacement is part of the state. It
-// follows Coulomb's law, and holds solids at rest.
+// These forces are central: energy, momentum and angular momentum are conserved. Friction is a spring along
+// the surface (CS79), whose displacement is part of the state. It follows Coulomb's law, and holds solids at
+// rest.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -32,13 +33,16 @@ inline constexpr double weldDistance = 1.25;
 
 /// Kernel of the sum over other bodies, and its value at a flat surface of a cubic lattice.
 struct ContactKernel {
-  double radius = 0;   ///< m
-  double touch = 0;    ///< 1, sum at one spacing from a flat surface
-  double overlap = 0;  ///< 1, sum at half a spacing: the largest sum without force (contactRest)
-  double slope = 0;    ///< 1/m, rate of the sum towards the surface, at one spacing
+  double radius = 0;        ///< m
+  double touch = 0;         ///< 1, sum at one spacing from a flat surface
+  double overlap = 0;       ///< 1, sum at half a spacing: the largest sum without force (contactRest)
+  double slope = 0;         ///< 1/m, rate of the sum towards the surface, at one spacing
+  double overlapSlope = 0;  ///< 1/m, at half a spacing
   static constexpr int depths = 16;
   std::array<double, depths + 1> shares{};  ///< 1, at depths k / depths * 1/2 spacing
 
+  /// Rate (1/m) of the sum where contact begins at the sum `rest`.
+  double slopeAt(double rest) const;
   /// Share (1) of a particle by its Continuum::contactDepth.
   double share(float depth) const;
   /// Weight (1) at a distance r (m), 1 at 0.

@@ -200,7 +200,7 @@ Scene dropsThatFreeze(int substeps) {
   s.materials[0].soundSpeed = 1;
   const double dx = s.spacing;
   for (int k = 0; k < 2; k++)
-    addBox(s, {k * 3.8 * dx, 0, 0}, {(k * 3.8 + 4) * dx, 4 * dx, 4 * dx}).temperature = 350;
+    addBox(s, {k * 3.4 * dx, 0, 0}, {(k * 3.4 + 4) * dx, 4 * dx, 4 * dx}).temperature = 350;
   s.thermostats.emplace_back();
   s.thermostats[0].start = 0.001;
   s.thermostats[0].temperature = 300;

@@ -8,7 +8,8 @@ namespace THAW_ISA {
 namespace {
 
 /// Returns the viscosity of a pair, from both viscosities m and liquid fractions f: the harmonic mean, with
-/// which the stress is continuous. Two solids do not interact. Solids: core/fluid/laws/sticking_viscosity.hpp.
+/// which the stress is continuous. Two solids do not interact. Solids:
+/// core/fluid/laws/sticking_viscosity.hpp.
 template<class L> THAW_INLINE L pairViscosity(L mi, L mj, L fi, L fj) {
   return (fi + fj - fi * fj) * (L(2.0f) * mi * mj / max(mi + mj, L(1e-30f)));
 }

@@ -12,12 +12,11 @@ StepModule solidContact() {
       {{ModulePhase::Contact,
         [](StepContext& c) {
           World& w = c.w;
-          addSolidContacts(
-              {w.scene, w.grid, w.solids, w.bonds, c.walls.span,
-               w.modules.melting ? &c.t.phaseEnergy.touching : nullptr, &c.t.contactResistance,
-               w.modules.fluid ? nullptr : &w.counters.coincidentPairs,
-               w.modules.rareContact ? &c.contactNear : nullptr},
-              c.t.closePairs, w.particles);
+          addSolidContacts({w.scene, w.grid, w.solids, w.bonds, c.walls.span,
+                            w.modules.melting ? &c.t.phaseEnergy.touching : nullptr, &c.t.contactResistance,
+                            w.modules.fluid ? nullptr : &w.counters.coincidentPairs,
+                            w.modules.rareContact ? &c.contactNear : nullptr},
+                           c.t.closePairs, w.particles);
         }},
        {ModulePhase::Limits,
         [](StepContext& c) {

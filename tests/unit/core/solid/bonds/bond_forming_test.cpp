@@ -92,7 +92,7 @@ BondForming forming(const SolidBody& b, BondRule rule) {
   BondForming f;
   f.rule = rule;
   f.support = b.work.support;
-  f.touch = b.scene.spacing;
+  f.touch = f.touchBodies = b.scene.spacing;
   f.periods = b.work.periods;
   f.materials = &b.scene.materials;
   return f;
