@@ -16,6 +16,7 @@ std::vector<StepModule> stepModules() {
           implicitViscosity(),
           heatFlow(),  // before melting: phases follow from the new temperatures
           heatExchange(),
+          conductionCorrection(),
           contactConductance(),
           evaporation(),
           heatSources(),

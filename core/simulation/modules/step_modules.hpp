@@ -33,6 +33,7 @@ StepModule densityMonitor();
 StepModule implicitViscosity();
 StepModule heatFlow();
 StepModule heatExchange();
+StepModule conductionCorrection();
 StepModule contactConductance();
 StepModule evaporation();
 StepModule heatSources();
