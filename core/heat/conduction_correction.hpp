@@ -19,7 +19,6 @@ struct ConductionWork {
 /// Values of the sums inside of the lattice.
 struct LatticeConduction {
   double weight = 0, moment = 0;  ///< moment: along each axis
-  double missing = 0;             ///< moment along a flat face that its particles lack
 };
 LatticeConduction latticeConduction(const Numerics& numerics);
 
@@ -31,7 +30,8 @@ bool correctsConduction(const Scene& scene, const Modules& modules);
 /// pairs' weights does not exceed that of the lattice, whose step is stable.
 double conductionFactor(const LatticeConduction& lattice, const ConductionSums& sums);
 
-/// Sets Continuum::conductionCorrection of the particles in the lists. Walls count as more of the body.
+/// Sets Continuum::conductionCorrection of the particles in the lists. It is 0 within a
+/// spacing of a wall, whose heat is scaled for the plain sum.
 void correctConduction(const PairSums& sums, const Numerics& numerics, const WallContacts& contacts,
                        Continuum& particles, ConductionWork& work);
 

@@ -22,7 +22,7 @@ StepModule conductionCorrection() {
   return {"corrected conduction",
           [](const World& w, const StepTools&) { return w.particles.conductionCorrection.active; },
           {{ModulePhase::AllForces, [](StepContext& c) {
-              if (c.w.clock.step % everySteps != 0) return;
+              if (c.dt != 0 && (c.w.clock.step + 1) % everySteps != 0) return;
               correctConduction(pairSumsOf(c.w, c.t), c.w.scene.numerics, c.t.wallContacts, c.w.particles,
                                 c.t.conduction);  // for the next step
             }}}};
