@@ -104,7 +104,8 @@ void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::
   const CellGrid grid = x.grid;
   const double h = grid.support;
   const bool carried = x.modules.continuity, surfaces = p.atSurface.active,
-             corrected = p.viscosityCorrection.active, substeps = p.stepMeanVelocity.active && x.substeps > 1;
+             corrected = p.viscosityCorrection.active, conduction = p.conductionCorrection.active,
+             substeps = p.stepMeanVelocity.active && x.substeps > 1;
   const double stiffness = carried ? x.liquids[0].stiffness : 1;
   const bool sums = sumsOverPairs(x.modules);
   const bool heat = x.modules.heat, melting = x.modules.melting, surface = r.surface.size() > 0,
@@ -158,7 +159,9 @@ void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::
     if (!r.pressurePhaseHeat.empty())
       rows<Real>(r.pressurePhaseHeat)[i] = {
           carried ? static_cast<Real>(p.compression[i] * (x.liquids[k].stiffness / stiffness)) : Real(0),
-          static_cast<Real>(wet), static_cast<Real>(T), static_cast<Real>(local.conductivity)};
+          static_cast<Real>(wet), static_cast<Real>(T),
+          static_cast<Real>(local.conductivity *
+                            (conduction ? 1 + static_cast<double>(p.conductionCorrection[i]) : 1))};
     if (surface)
       rows<Real>(r.surface)[i] = {
           static_cast<Real>(x.liquids[k].rootTension * f), Real(p.phase[i] == Solid),

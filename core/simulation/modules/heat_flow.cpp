@@ -17,6 +17,17 @@ StepModule heatFlow() {
             }}}};
 }
 
+StepModule conductionCorrection() {
+  constexpr std::int64_t everySteps = 8;  // surfaces move by much less than a spacing meanwhile
+  return {"corrected conduction",
+          [](const World& w, const StepTools&) { return w.particles.conductionCorrection.active; },
+          {{ModulePhase::AllForces, [](StepContext& c) {
+              if (c.dt != 0 && (c.w.clock.step + 1) % everySteps != 0) return;
+              correctConduction(pairSumsOf(c.w, c.t), c.w.scene.numerics, c.t.wallContacts, c.w.particles,
+                                c.t.conduction);  // for the next step
+            }}}};
+}
+
 StepModule contactConductance() {
   return {"contact conductance",
           [](const World& w, const StepTools&) { return w.modules.contactConductance; },

@@ -157,9 +157,9 @@ TEST(WallHeat, SurfacesOnAWallAreNotExposed) {
   r.add(std::make_shared<Ground>());
   r.addParticle({0, 0, 0.05}, {}, Liquid);
   r.start();
-  r.w.particles.freeSurfaceIndicator[0] = static_cast<float>(flatLatticeIndicator(r.w.scene.numerics));
+  r.w.particles.exposedArea[0] = 1;
   addWallHeat({wallView(r.w), r.tables, r.liquids, 1e-6, 1e-6}, r.contacts);
-  EXPECT_NEAR(r.w.particles.freeSurfaceIndicator[0], 0, 1e-4);
+  EXPECT_NEAR(r.w.particles.exposedArea[0], 0, 1e-3);
 }
 
 }  // namespace thaw::test
