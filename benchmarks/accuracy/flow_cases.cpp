@@ -157,9 +157,85 @@ std::vector<Figure> measureMartinMoyce(Trial& r) {
   return f;
 }
 
-// ---- vortices ---------------------------------------------------------------------------------------------
+// ---- gravity wave -----------------------------------------------------------------------------------------
 
 constexpr double twoPi = 2 * std::numbers::pi;
+constexpr double waveDepth = 0.25, waveHeight = 0.02;                     ///< in wavelengths; g = 1
+const double waveRate = std::sqrt(twoPi * std::tanh(twoPi * waveDepth));  ///< rad per unit of time (Airy)
+
+/// Velocity of the wave as its surface passes through the plane, for an amplitude of 1.
+Vec3d waveVelocity(const Vec3d& x) {
+  const double k = twoPi, unit = waveRate / std::sinh(k * waveDepth);
+  return {unit * std::cosh(k * x.z) * std::cos(k * x.x), 0, unit * std::sinh(k * x.z) * std::sin(k * x.x)};
+}
+
+/// The column starts compressed by its weight, without an initial sound wave.
+void compressWave(Trial& r) {
+  World& w = r.world;
+  const double c = w.scene.materials[0].soundSpeed, k = 1 / (c * c);
+  if (w.modules.incompressible) return;
+  for (std::size_t i = 0; i < w.particles.owned; i++) {
+    Vec3d& x = w.particles.position[i];
+    if (w.particles.compression.active) w.particles.compression[i] = k * (waveDepth - x.z);
+    x.z -= k * (waveDepth * x.z - 0.5 * x.z * x.z);
+  }
+}
+void startWave(Trial& r) {
+  Continuum& p = r.world.particles;
+  for (std::size_t i = 0; i < p.owned; i++) p.velocity[i] = waveVelocity(p.position[i]) * waveHeight;
+}
+
+/// Records the mode's share of the velocities, and the kinetic energy of the rest.
+void watchWave(Trial& r) {
+  const double along = sum(r, [](const World& w, std::size_t i) {
+    return w.particles.mass[i] * dot(w.particles.velocity[i], waveVelocity(w.particles.position[i]));
+  });
+  const double unit = sum(r, [](const World& w, std::size_t i) {
+    const Vec3d v = waveVelocity(w.particles.position[i]);
+    return w.particles.mass[i] * dot(v, v);
+  });
+  r.series.push_back({r.world.clock.time, {along / unit, kineticEnergy(r)}});
+}
+
+/// Six spacings wide across the wave.
+void makeNarrow(Scene& s) {
+  const double width = 6 * s.spacing;
+  s.domain.max.y = width;
+  s.bodies[0].shape.size.y = width;
+  s.bodies[0].shape.move.y = 0.5 * width;
+}
+
+/// Zeros of the recorded mode, interpolated.
+std::vector<double> zerosOf(const std::vector<Sample>& series) {
+  std::vector<double> zeros;
+  for (std::size_t k = 1; k < series.size(); k++) {
+    const Sample &a = series[k - 1], &b = series[k];
+    if (a.value[0] * b.value[0] < 0)
+      zeros.push_back(a.time + (b.time - a.time) * a.value[0] / (a.value[0] - b.value[0]));
+  }
+  return zeros;
+}
+
+std::vector<Figure> measureWave(Trial& r) {
+  const std::vector<double> zeros = zerosOf(r.series);
+  const double halves = static_cast<double>(zeros.size()) - 1,
+               rate = zeros.size() > 1 ? std::numbers::pi * halves / (zeros.back() - zeros[0]) : 0;
+  const double nu = r.world.scene.materials[0].viscosity.liquid, cycle = twoPi / waveRate;
+  double first = 0, last = 0;  // amplitudes of the first two cycles
+  for (const Sample& s : r.series) {
+    double& top = s.time < 0.75 * cycle ? first : last;
+    if (s.time > 0.25 * cycle && s.time < 1.25 * cycle) top = std::max(top, std::abs(s.value[0]));
+  }
+  std::vector<Figure> f{
+      {"frequency", std::abs(rate / waveRate - 1), 0.03},
+      {"decay of a half cycle", std::abs(last / first / std::exp(-nu * twoPi * twoPi * cycle) - 1)},
+      {"frequency / exact", rate / waveRate},
+      {"steps", static_cast<double>(r.world.clock.step)}};
+  addResiduals(r, 0.5 * r.tools.mass * waveHeight, waveHeight, f);
+  return f;
+}
+
+// ---- vortices ---------------------------------------------------------------------------------------------
 
 /// U exp(-8 pi^2 nu t / L^2), L = U = 1.
 Vec3d vortices(const World& w, const Vec3d& x) {
@@ -221,6 +297,8 @@ std::vector<Case> flowCases() {
            {},
            watchFront,
            measureRitter},
+          {"standing_wave", "standing gravity wave, kH = pi/2: omega^2 = g k tanh(k H) (Airy), and its decay",
+           nullptr, compressWave, startWave, watchWave, measureWave, makeNarrow},
           {"martin_moyce",
            "front of a dam break to T = 5.7; T shifted by what fits the points best (Martin & Moyce 1952, "
            "n^2 = 2)",

@@ -68,6 +68,11 @@ CASES = {
             **QUALITY,
         },
     ),
+    "standing_wave": (
+        ["0.025", "0.0125"],
+        "0.025",
+        {"density": ["summation"], "corrected_gradients": ["false"], "pressure_solver": ["incompressible"]},
+    ),
     "martin_moyce": (
         ["0.005715", "0.0028575"],
         "0.0028575",

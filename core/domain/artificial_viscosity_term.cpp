@@ -8,8 +8,9 @@ namespace {
 void readArtificialViscosity(KeyTable& keys, Material& m) {
   keys.byScene().number(
       "artificial_viscosity", m.artificialViscosity, "", between(0, 10),
-      "Monaghan's alpha for approaching pairs. Default with `density = \"continuity\"`: 0.02, or 0.005 in "
-      "scenes with a solid material, minus the alpha that is equivalent to the liquid's viscosity. "
+      "Monaghan's alpha for approaching pairs. Default with `density = \"continuity\"` or the incompressible "
+      "solver: 0.02, or 0.005 in scenes with a solid material, minus the alpha that is equivalent to the "
+      "liquid's viscosity. "
       "`tension = \"curvature\"` adds a viscosity at the free surface. Default "
       "with a form of `tension` other than \"curvature\", with `quality = \"preview\"`, or for one box of "
       "liquid in a periodic domain: 0");

@@ -33,6 +33,16 @@ void packTrialPressure(const RecordContext& x, const Continuum& p, std::size_t b
     using Real = decltype(real);
     for (std::size_t i = begin; i < end; i++)
       rows<Real>(r.pressurePhaseHeat)[i].a = static_cast<Real>(p.trialPressure[i]);
+    if (!x.scene.numerics.correctedGradients) return;
+    for (std::size_t i = begin; i < end; i++) {
+      const double k = static_cast<double>(p.trialPressure[i]);
+      const Sym3f& d = p.correction[i];
+      const auto times = [k](double a) { return static_cast<Real>(k * a); };
+      const auto diagonal = [&](float a) { return times(1 + static_cast<double>(a)); };
+      const auto off = [&](float a) { return times(static_cast<double>(a)); };
+      rows<Real>(r.pressureDiagonal)[i] = {diagonal(d.xx), diagonal(d.yy), diagonal(d.zz), Real(0)};
+      rows<Real>(r.pressureOffDiagonal)[i] = {off(d.xy), off(d.xz), off(d.yz), Real(0)};
+    }
   });
 }
 

@@ -10,7 +10,8 @@ namespace thaw {
 void packMobility(const RecordContext& context, const Continuum& particles, std::size_t rows,
                   PairRecords& records);
 
-/// Packs Continuum::trialPressure of rows [begin, end) into pressurePhaseHeat.a.
+/// Packs Continuum::trialPressure of rows [begin, end) into pressurePhaseHeat.a. With corrected gradients
+/// also its product with 1 + Continuum::correction into pressureDiagonal and pressureOffDiagonal.
 void packTrialPressure(const RecordContext& context, const Continuum& particles, std::size_t begin,
                        std::size_t end, PairRecords& records);
 

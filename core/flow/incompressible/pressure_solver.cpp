@@ -39,6 +39,19 @@ struct Progress {
   }
 };
 
+/// Returns the compression (1) that a solve corrects in this step, besides that of the flow. Inside the
+/// liquid both signs are corrected slowly, since shear changes the summed density by a few per cent.
+/// Elsewhere a deficit is room that the liquid may fill at once.
+double sourceOf(const PressureSystem& x, double share, std::size_t i) {
+  const double inside = static_cast<double>(x.pressure.inside[i]);
+  double excess = static_cast<double>(x.particles.relativeDensity[i]) - x.pressure.targetRelativeDensity;
+  if (x.scene.numerics.tensileLimit > 0)
+    excess = std::max(excess, 0.0);  // tension keeps gaps from growing; closing those of a free surface
+                                     // would tear it apart
+  const double room = excess > 0 ? share * excess : excess;
+  return inside * share * excess + (1 - inside) * room;
+}
+
 /// One Jacobi step of every pressure, clamped at 0, into `stepped`. Returns the residual before the step and
 /// its alignment with the previous move.
 Progress jacobiStep(const PressureSystem& x, const Goal& goal, std::vector<float>& stepped) {
@@ -51,14 +64,10 @@ Progress jacobiStep(const PressureSystem& x, const Goal& goal, std::vector<float
     if (!(work.response[i] > 0)) continue;
     const double f = static_cast<double>(work.fraction[i]), full = goal.dt * work.response[i],
                  k = static_cast<double>(p.trialPressure[i]);
-    double filled = static_cast<double>(p.relativeDensity[i]) - work.targetRelativeDensity;
-    if (mayPull)
-      filled = std::max(filled, 0.0);  // tension keeps gaps from growing; closing those of a free surface
-                                       // would tear it apart
     // Half-molten particles also get a spring. Its stiffness gives a single particle the pressure of a liquid
     // times its liquid fraction.
-    const double e = (filled > 0 ? goal.share * filled : filled) - goal.share * goal.mean +
-                     goal.dt * work.rate[i] - (1 - f) * full * k;
+    const double e = sourceOf(x, goal.share, i) - goal.share * goal.mean + goal.dt * work.rate[i] -
+                     (1 - f) * full * k;
     const double left = mayPull || k * full > -e ? std::abs(e) : k * full;
     double next = k + x.pressure.relaxation * e / full;
     if (!mayPull) next = std::max(next, 0.0);
@@ -77,7 +86,7 @@ double meanCompression(const PressureSystem& x) {
   Progress sum;
   for (std::size_t i = 0; i < p.owned; i++)
     if (x.pressure.response[i] > 0)
-      sum.add(std::max(static_cast<double>(p.relativeDensity[i]) - x.pressure.targetRelativeDensity, 0.0), 0);
+      sum.add(x.pressure.inside[i] > 0 ? sourceOf(x, 1, i) : std::max(sourceOf(x, 1, i), 0.0), 0);
   sum.reduce(x.halos.all);
   return sum.mean();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/flow/incompressible/pressure_system.hpp"
 
+#include "core/flow/incompressible/gradient_correction.hpp"
 #include "core/flow/incompressible/pressure_records.hpp"
 #include "core/halo/exchange.hpp"
 #include "core/materials/rest_density.hpp"
@@ -15,6 +16,9 @@ PairSums sumsOf(const PressureSystem& x) {
   PairSums s = x.sums;
   s.impulse = x.pressure.impulse.data();
   s.compression = x.pressure.rate.data();
+  s.moment = x.pressure.moment.data();
+  s.otherResponse = x.pressure.otherResponse.data();
+  if (x.scene.numerics.correctedGradients) s.correction = x.particles.correction.data();
   return s;
 }
 
@@ -49,6 +53,25 @@ void findWallSlopes(const PressureSystem& x) {
   }
 }
 
+/// Responses from the sums of PairKernels::response, with corrected gradients.
+void findResponses(const PressureSystem& x) {
+  Continuum& p = x.particles;
+  PressureWork& work = x.pressure;
+  const bool corrected = x.scene.numerics.correctedGradients;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const Mat3d L = identity3<double>() + (corrected ? full(wide(p.correction[i])) : Mat3d{});
+    work.impulse[i] = L * work.impulse[i];
+    work.rate[i] = doubleDot(symmetric(L * L), work.otherResponse[i]);
+  }
+  for (const WallSlope& wall : work.walls) work.impulse[wall.row] += wall.slope;
+  for (std::size_t i = 0; i < p.owned; i++) {
+    const bool still = p.clamped.active && p.clamped[i];
+    const double own = still ? 0 : dot(work.impulse[i], work.impulse[i]) / p.mass[i],
+                 f = static_cast<double>(work.fraction[i]);
+    work.response[i] = f > 0 ? volumeOf(x, i) * (own + work.rate[i]) / f : 0;
+  }
+}
+
 }  // namespace
 
 void prepareSystem(const PressureSystem& x) {
@@ -59,7 +82,10 @@ void prepareSystem(const PressureSystem& x) {
   work.before.resize(p.owned);
   work.stepped.resize(p.owned);
   work.start.resize(p.owned);
+  work.inside.assign(p.owned, 0);
   work.impulse.assign(p.owned, {});
+  work.moment.assign(p.owned, {});
+  work.otherResponse.assign(p.owned, {});
   work.rate.assign(p.owned, 0);
   const RecordContext records{x.scene, x.modules, x.grid, x.liquids};
   packMobility(records, p, p.size(), x.records);
@@ -67,13 +93,8 @@ void prepareSystem(const PressureSystem& x) {
   findWallSlopes(x);
 
   x.kernels.response(sumsOf(x), {0, x.neighbours.groups});
-  for (const WallSlope& wall : work.walls) work.impulse[wall.row] += wall.slope;
-  for (std::size_t i = 0; i < p.owned; i++) {
-    const bool still = p.clamped.active && p.clamped[i];
-    const double own = still ? 0 : dot(work.impulse[i], work.impulse[i]) / p.mass[i],
-                 f = static_cast<double>(work.fraction[i]);
-    work.response[i] = f > 0 ? volumeOf(x, i) * (own + work.rate[i]) / f : 0;
-  }
+  if (x.scene.numerics.correctedGradients) correctGradients(x);
+  findResponses(x);
   x.times.lap(StepPhase::Pressure);
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/math/mat3.hpp"
 #include "core/math/vec3.hpp"
 
 namespace thaw {
@@ -16,9 +17,7 @@ struct WallSlope {
 };
 
 /// Extra target density for flow without a free surface, which would jam because it cannot expand. Disordered
-/// particles have larger summed densities than a lattice. Vortices of Re 100 keep 0.0016 of their energy at
-/// 0, 0.70 at 0.02 and 0.69 at 0.03. A sinusoidal shear flow reaches 0.89 of its exact speed at 0.02, 0.93 at
-/// 0.03 and 0.97 at 0.04, where densities scatter by 2 %.
+/// particles have larger summed densities than a lattice, which scatter by 2 %.
 inline constexpr double flowDensityExcess = 0.03;
 
 struct PressureWork {
@@ -35,6 +34,9 @@ struct PressureWork {
   std::vector<Vec3d> start;            ///< m/s, velocities before the solve
   std::vector<Vec3d> arrived;          ///< m/s, velocities before both solves
   std::vector<Vec3d> impulse;          ///< N s
+  std::vector<Sym3d> moment;           ///< 1, of the neighbourhood
+  std::vector<Sym3d> otherResponse;    ///< 1/(m^2 kg), PairSums::otherResponse
+  std::vector<float> inside;           ///< 1, weight of the gradient correction: 1 inside the liquid
   std::vector<double> rate;            ///< 1/s, rate of the relative density
 };
 

@@ -282,11 +282,11 @@ void resizeRecords(const RecordContext& x, std::size_t n, PairRecords& r) {
                        (x.modules.artificialViscosity && !x.modules.uniform) || x.modules.xsph;
   if (surface) resizeBytes(r.surface, n + 1, each);
   else r.surface.clear();
-  if (x.modules.continuity) {
-    resizeBytes(r.middle, n + 1, each);
-    resizeBytes(r.pressureDiagonal, n + 1, each);
-  }
-  if (x.modules.continuity && !x.modules.uniform) resizeBytes(r.pressureOffDiagonal, n + 1, each);
+  const bool tensors = x.modules.continuity ||
+                       (x.modules.incompressible && x.scene.numerics.correctedGradients);
+  if (x.modules.continuity) resizeBytes(r.middle, n + 1, each);
+  if (tensors) resizeBytes(r.pressureDiagonal, n + 1, each);
+  if (tensors && !x.modules.uniform) resizeBytes(r.pressureOffDiagonal, n + 1, each);
   if (x.modules.surfaceEnergy) resizeBytes(r.surfaceEnergyDerivatives, n + 1, each);
   for (AlignedVector<std::byte>* v :
        {&r.fixed, &r.middle, &r.positionVolume, &r.velocityViscosity, &r.pressurePhaseHeat, &r.surface,

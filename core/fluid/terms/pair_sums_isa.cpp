@@ -249,35 +249,40 @@ void closePairs(const PairSums& in, GroupRange range, ClosePairs& pairs) {
                                     : closePairsOf<double>(in, range, pairs);
 }
 
-void compression(const PairSums& in, GroupRange range) {
+template<bool Corrected> void compressionOf(const PairSums& in, GroupRange range) {
   chooseTypes(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     const double h = in.support;
-    Compression<Real, decltype(kernel)> term{records<Real>(in.positionVolume),
-                                             records<Real>(in.velocityViscosity), in.compression,
-                                             in.relativeDensityScale * h * h};
+    Compression<Real, decltype(kernel), Corrected> term{records<Real>(in.positionVolume),
+                                                        records<Real>(in.velocityViscosity), in.correction,
+                                                        in.compression, in.relativeDensityScale * h * h};
     sweep(*in.lists, range, term, Groups::Fluid);
   });
 }
+void compression(const PairSums& in, GroupRange range) {
+  in.correction ? compressionOf<true>(in, range) : compressionOf<false>(in, range);
+}
 
-void impulse(const PairSums& in, GroupRange range) {
+template<bool Corrected> void impulseOf(const PairSums& in, GroupRange range) {
   chooseTypes(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
     const double h = in.support;
-    Impulse<Real, decltype(kernel)> term{records<Real>(in.positionVolume),
-                                         records<Real>(in.pressurePhaseHeat), in.impulse,
-                                         in.relativeDensityScale * h * h * h * h * h};
+    Impulse<Real, decltype(kernel), Corrected> term{
+        records<Real>(in.positionVolume),
+        records<Real>(Corrected ? in.pressureDiagonal : in.pressurePhaseHeat),
+        records<Real>(in.pressureOffDiagonal), in.impulse, in.relativeDensityScale * h * h * h * h * h};
     sweep(*in.lists, range, term, Groups::Fluid);
   });
+}
+void impulse(const PairSums& in, GroupRange range) {
+  in.correction ? impulseOf<true>(in, range) : impulseOf<false>(in, range);
 }
 
 void response(const PairSums& in, GroupRange range) {
   chooseTypes(in, [&](auto real, auto kernel) {
     using Real = decltype(real);
-    const double h = in.support;
     Response<Real, decltype(kernel)> term{records<Real>(in.positionVolume),
-                                          records<Real>(in.pressurePhaseHeat), in.impulse, in.compression,
-                                          in.relativeDensityScale * h * h};
+                                          records<Real>(in.pressurePhaseHeat), &in};
     sweep(*in.lists, range, term, Groups::Fluid);
   });
 }

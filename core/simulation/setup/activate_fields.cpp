@@ -38,7 +38,7 @@ void activateFluid(Continuum& p, const Modules& m) {
   turnOn(p, m.shifting && m.continuity && m.solid, {&p.relief});
   turnOn(p, m.incompressible,
          {&p.densityPressure, &p.divergencePressure, &p.pressureImpulse, &p.drag, &p.trialPressure,
-          &p.trialVelocity});
+          &p.trialVelocity, &p.correction});
   turnOn(p, m.surfaceEnergy,
          {&p.surfaceGradient, &p.surfaceColour, &p.surfaceEnergyByGradient, &p.surfaceEnergyByColour});
   turnOn(p, m.tensionTable, {&p.surfaceTension});

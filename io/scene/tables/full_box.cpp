@@ -74,8 +74,8 @@ bool mayActByCurvature(const Scene& s, const OpenChoices& open) {
 
 void chooseForLiquids(Scene& s, const OpenChoices& open) {
   Numerics& n = s.numerics;
-  const bool equation = n.pressure == PairForm::Consistent && n.solver == PressureSolver::StateEquation;
-  if (!equation || s.quality == Quality::Preview || liquidFillsTheBox(s)) return;
+  if (n.pressure != PairForm::Consistent || s.quality == Quality::Preview || liquidFillsTheBox(s)) return;
+  if (n.solver == PressureSolver::Incompressible) return chooseArtificialViscosity(s, open);
   const bool tension = someSurfaceTension(s);
   if (tension && open.tension && mayActByCurvature(s, open)) n.tension = TensionForm::Curvature;
   if (tension && n.tension != TensionForm::Curvature) return;

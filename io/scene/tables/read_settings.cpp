@@ -94,8 +94,10 @@ void readNumerics(TableReader& r, Numerics& n) {
       "continuity: integrated from the divergence of the flow. plain: the plain sum. Default: "
       "\"continuity\"; \"summation\" with a form of `tension` other than \"curvature\", `quality = "
       "\"preview\"`, `pressure = \"printed\"` or the incompressible solver");
-  r.flag("corrected_gradients", n.correctedGradients,
-         "gradients of the continuity form are exact for linear fields inside the liquid (Bonet & Lok 1999)");
+  r.flag(
+      "corrected_gradients", n.correctedGradients,
+      "gradients of the continuity form and of the incompressible solver are exact for linear fields inside "
+      "the liquid (Bonet & Lok 1999)");
   r.number("density_diffusion", n.densityDiffusion, "", between(0, 1),
            "density diffusion of the continuity form");
   r.byScene().number(
