@@ -132,7 +132,7 @@ Friction frictionOf(const BodySums& s, const Press& press, const Vec3d& old, dou
   f.energy = 0.5 * k * dot(f.shear, f.shear);
   f.lost = -dot(f.dashpot, u);
   if (dt > 0) {
-    const double work = 0.5 * k * dot(old + f.shear, u);  // of the step's two half kicks, against the spring
+    const double work = 0.5 * k * dot(old + f.shear, u);  // against the spring, in both half kicks
     f.lost += work - (f.energy - 0.5 * k * dot(old, old)) / dt;
   }
   return f;

@@ -7,7 +7,6 @@
 #include "core/contact/dashpot.hpp"
 #include "core/fluid/flow_laws/particle_viscosity.hpp"
 #include "core/fluid/laws/particle_pressure.hpp"
-#include "core/heat/exposed_area.hpp"
 #include "core/materials/contact_modulus.hpp"
 #include "core/materials/enthalpy.hpp"
 #include "core/materials/rest_density.hpp"
@@ -357,11 +356,8 @@ void addWallHeat(const WallContext& x, const WallContacts& contacts) {
   Continuum& p = w.particles;
   const double h = w.grid.support;
   const HeatModel model = w.scene.numerics.heat;
-  const ExposedAreaLaw area = p.exposedArea.active ? exposedAreaLaw(w.scene.numerics) : ExposedAreaLaw{};
   for (const WallContact& c : contacts.list) {
     const WallIntegrals t = x.tables(c.distance / h);
-    if (p.exposedArea.active)
-      p.exposedArea[c.row] -= static_cast<float>(c.share * coveredArea(area, c.distance / w.scene.spacing));
     const Obstacle& o = w.walls.list[c.wall].properties;
     if (!o.temperature || x.sleeps(c.row)) continue;
     const Material& m = w.scene.materials[p.material[c.row]];

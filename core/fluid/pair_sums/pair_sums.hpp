@@ -101,10 +101,10 @@ struct PairSums {
   Vec3d* smoothed = nullptr;  ///< m/s, velocity change by XSPH
   // Incompressible solver (terms/incompressible.hpp); all overwritten.
   const Sym3f* correction = nullptr;  ///< 1, inverse of the moment minus 1; null: gradients are not corrected
-  Vec3d* impulse = nullptr;  ///< N s, of impulse; for response the gradient of the relative density, 1/m
-  double* compression = nullptr;   ///< 1/s, of compression
-  Sym3d* moment = nullptr;         ///< 1, of response
-  Sym3d* otherResponse = nullptr;  ///< 1/(m^2 kg), of response: contribution of the neighbours
+  Vec3d* impulse = nullptr;       ///< N s, of impulse; for response the gradient of the relative density, 1/m
+  double* compression = nullptr;  ///< 1/s, of compression
+  Sym3d* moment = nullptr;        ///< 1, of response
+  Sym3d* otherResponse = nullptr;      ///< 1/(m^2 kg), of response: contribution of the neighbours
   std::int64_t* coincident = nullptr;  ///< counts particles that coincide with another particle
 };
 

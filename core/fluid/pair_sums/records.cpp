@@ -99,12 +99,16 @@ void packPlace(const CellGrid& grid, const FixedPlaces& fixedPlace, const Vec3d&
   }
 }
 
+/// The factor that a column holds minus 1; 1 if the column is not active.
+double factorOf(const Column<float>& correction, std::size_t i) {
+  return correction.active ? 1 + static_cast<double>(correction[i]) : 1;
+}
+
 template<class Real>
 void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
   const CellGrid grid = x.grid;
   const double h = grid.support;
   const bool carried = x.modules.continuity, surfaces = p.atSurface.active,
-             corrected = p.viscosityCorrection.active, conduction = p.conductionCorrection.active,
              substeps = p.stepMeanVelocity.active && x.substeps > 1;
   const double stiffness = carried ? x.liquids[0].stiffness : 1;
   const bool sums = sumsOverPairs(x.modules);
@@ -150,8 +154,7 @@ void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::
     const MaterialParameters local = m.melts() || (heat && !m.viscosityTable.empty())
                                          ? localParameters(x.scene.numerics.heat, m, f, T)
                                          : r.constant[k];
-    const double viscosity = local.viscosity *
-                             (corrected ? 1 + static_cast<double>(p.viscosityCorrection[i]) : 1);
+    const double viscosity = local.viscosity * factorOf(p.viscosityCorrection, i);
     put(rows<Real>(r.velocityViscosity)[i], moved.flow,
         static_cast<Real>(pairwise ? stickingViscosity(viscosity, f) : viscosity));
     const bool atSurface = surfaces && p.atSurface[i];
@@ -160,8 +163,7 @@ void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::
       rows<Real>(r.pressurePhaseHeat)[i] = {
           carried ? static_cast<Real>(p.compression[i] * (x.liquids[k].stiffness / stiffness)) : Real(0),
           static_cast<Real>(wet), static_cast<Real>(T),
-          static_cast<Real>(local.conductivity *
-                            (conduction ? 1 + static_cast<double>(p.conductionCorrection[i]) : 1))};
+          static_cast<Real>(local.conductivity * factorOf(p.conductionCorrection, i))};
     if (surface)
       rows<Real>(r.surface)[i] = {
           static_cast<Real>(x.liquids[k].rootTension * f), Real(p.phase[i] == Solid),

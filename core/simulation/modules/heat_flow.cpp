@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/heat/contact_heat.hpp"
+#include "core/heat/cover_areas.hpp"
 #include "core/heat/heat.hpp"
 #include "core/simulation/modules/step_modules.hpp"
 #include "core/simulation/step_context.hpp"
@@ -11,7 +12,11 @@ namespace thaw {
 StepModule heatFlow() {
   return {"heat",
           [](const World& w, const StepTools&) { return w.modules.heat; },
-          {{ModulePhase::AllForces, [](StepContext& c) { addWallHeat(c.walls, c.t.wallContacts); }},
+          {{ModulePhase::AllForces,
+            [](StepContext& c) {
+              if (c.w.modules.surfaceHeat) coverAreas(c.walls.world, c.t.wallContacts);
+              addWallHeat(c.walls, c.t.wallContacts);
+            }},
            {ModulePhase::PhaseChange, [](StepContext& c) {
               updateHeat(heatView(c.w), c.dt);  // H += heat dt, T and liquid fraction follow
             }}}};

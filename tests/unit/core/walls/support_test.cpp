@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/heat/cover_areas.hpp"
 #include "core/heat/heat.hpp"
 #include "tests/support/wall_rig.hpp"
 
@@ -158,7 +159,7 @@ TEST(WallHeat, SurfacesOnAWallAreNotExposed) {
   r.addParticle({0, 0, 0.05}, {}, Liquid);
   r.start();
   r.w.particles.exposedArea[0] = 1;
-  addWallHeat({wallView(r.w), r.tables, r.liquids, 1e-6, 1e-6}, r.contacts);
+  coverAreas(wallView(r.w), r.contacts);
   EXPECT_NEAR(r.w.particles.exposedArea[0], 0, 1e-3);
 }
 
