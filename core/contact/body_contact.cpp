@@ -171,12 +171,12 @@ void listRows(const BodyContactView& v, double reach) {
   v.work.pairs.clear();
   v.work.rows.clear();
   const Continuum& p = v.particles;
-  anyMixedCell(v.cells, p.owned, rangesOfCells(v.cells, p, p.body),
-               [&](std::size_t c, std::span<const RowSpan> around) {
-                 for (std::uint32_t i = v.cells.first[c]; i < v.cells.first[c] + v.cells.count[c]; i++)
-                   if (p.phase[i] == Solid) listPairs(v, reach, i, around);
-                 return false;
-               });
+  rangesOfCells(v.cells, p, p.body, v.work.mixed.ranges);
+  anyMixedCell(v.cells, p.owned, v.work.mixed, [&](std::size_t c, std::span<const RowSpan> around) {
+    for (std::uint32_t i = v.cells.first[c]; i < v.cells.first[c] + v.cells.count[c]; i++)
+      if (p.phase[i] == Solid) listPairs(v, reach, i, around);
+    return false;
+  });
 }
 
 double restOf(const ContactKernel& kernel, const Continuum& p, std::uint32_t i) {
@@ -230,13 +230,14 @@ double sumOf(float a, float b) { return static_cast<double>(a) + static_cast<dou
 }  // namespace
 
 double ContactKernel::weight(double r) const {
-  const double q = 1 - r * r / (radius * radius);
-  return q > 0 ? q * q * q * (q * q * q) : 0;
+  const double steepest = radius * steepestAt,
+               q = 1 - std::max(r, steepest) * std::max(r, steepest) / (radius * radius);
+  return q > 0 ? q * q * q * (q * q * q) + std::max(0.0, steepest - r) * steepness(r) : 0;
 }
 
 double ContactKernel::steepness(double r) const {
-  const double q = 1 - r * r / (radius * radius);
-  return q > 0 ? 12 * r / (radius * radius) * (q * q) * (q * q * q) : 0;
+  const double s = std::max(r, radius * steepestAt), q = 1 - s * s / (radius * radius);
+  return q > 0 ? 12 * s / (radius * radius) * (q * q) * (q * q * q) : 0;
 }
 
 double ContactKernel::slopeAt(double rest) const {

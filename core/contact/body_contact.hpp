@@ -21,6 +21,7 @@
 #include "core/fluid/pair_sums/pair_sums.hpp"
 #include "core/math/exact_sum.hpp"
 #include "core/neighbours/grid.hpp"
+#include "core/neighbours/mixed_cells.hpp"
 #include "core/particles/continuum.hpp"
 #include "core/particles/solids.hpp"
 #include "core/scene/scene.hpp"
@@ -33,6 +34,9 @@ inline constexpr double weldDistance = 1.25;
 
 /// Kernel of the sum over other bodies, and its value at a flat surface of a cubic lattice.
 struct ContactKernel {
+  /// Fraction of the radius where (1 - r^2 / radius^2)^6 is steepest. Nearer, the weight is linear, so that
+  /// particles in the same place part.
+  static constexpr double steepestAt = 0.30151134457776363;
   double radius = 0;        ///< m
   double touch = 0;         ///< 1, sum at one spacing from a flat surface
   double overlap = 0;       ///< 1, sum at half a spacing: the largest sum without force (contactRest)
@@ -45,7 +49,7 @@ struct ContactKernel {
   double slopeAt(double rest) const;
   /// Share (1) of a particle by its Continuum::contactDepth.
   double share(float depth) const;
-  /// Weight (1) at a distance r (m), 1 at 0.
+  /// Weight (1) at a distance r (m).
   double weight(double r) const;
   /// Minus its derivative (1/m).
   double steepness(double r) const;
@@ -70,6 +74,7 @@ struct BodyTouch {
 
 struct BodyContactWork {
   ContactKernel kernel;
+  MixedCells mixed;              ///< temporary
   std::vector<ClosePair> pairs;  ///< solids of different bodies, by own row
   std::vector<BodyTouch> rows;
   std::vector<DissipativeForce> resistance;  ///< N, by row

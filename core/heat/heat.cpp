@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/heat/exposed_area.hpp"
 #include "core/materials/enthalpy.hpp"
 #include "core/materials/rest_density.hpp"
 #include "core/particles/sleep_stage.hpp"
@@ -65,6 +64,12 @@ void setPhase(const Scene& s, const Modules& modules, Continuum& p, std::size_t 
   }
 }
 
+double exposedArea(double freeSurfaceIndicator, double flatSurfaceIndicator) {
+  const double share = freeSurfaceIndicator / flatSurfaceIndicator;  // relative to a flat surface, whose
+                                                                     // value depends on the support
+  return share * std::clamp((share - 0.5) / 0.3, 0.0, 1.0);
+}
+
 double flatLatticeIndicator(const Numerics& n) {
   return 2 / n.support * wallIntegrals(n, 0.5 / n.support).push;
 }
@@ -74,13 +79,14 @@ void addOuterHeat(const HeatView& w, double dt, const std::vector<std::uint8_t>*
   const Scene& s = w.scene;
   const auto heats = [](const Material& m) { return m.heatSource != 0; };
   if (!w.modules.surfaceHeat && std::none_of(s.materials.begin(), s.materials.end(), heats)) return;
-  const double face = s.spacing * s.spacing;
+  const double face = s.spacing * s.spacing,
+               flat = w.modules.surfaceHeat ? flatLatticeIndicator(s.numerics) : 1;
   for (std::size_t i = 0; i < p.owned; i++) {
     if (steady && (*steady)[i]) continue;
     const Material& m = s.materials[p.material[i]];
     double flow = m.heatSource * p.mass[i];
     if (w.modules.surfaceHeat && (m.convection > 0 || m.emissivity > 0)) {
-      const double area = face * clearArea(static_cast<double>(p.exposedArea[i]));
+      const double area = face * exposedArea(static_cast<double>(p.freeSurfaceIndicator[i]), flat);
       const double T = p.temperature[i], conductance = area * surfaceConductance(m, T, s.domain.ambient);
       const double f = p.liquid.active ? static_cast<double>(p.liquid[i]) : restFraction(m);
       const double rate = conductance / (p.mass[i] * heatCapacityOf(s.numerics.heat, m, f));

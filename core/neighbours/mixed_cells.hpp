@@ -19,15 +19,20 @@ struct ValueRange {
   bool mixed() const { return low < high; }
 };
 
-/// Returns the ranges of the values of solids, by cell.
+/// Work of anyMixedCell.
+struct MixedCells {
+  std::vector<ValueRange> ranges;  ///< by cell
+  std::vector<RowSpan> rows;       ///< temporary
+};
+
+/// Finds the ranges of the values of solids, by cell.
 template<class Value>
-std::vector<ValueRange> rangesOfCells(const CellTable& cells, const Continuum& p,
-                                      const Column<Value>& values) {
-  std::vector<ValueRange> ranges(cells.key.size());
+void rangesOfCells(const CellTable& cells, const Continuum& p, const Column<Value>& values,
+                   std::vector<ValueRange>& ranges) {
+  ranges.assign(cells.key.size(), {});
   for (std::size_t c = 0; c < ranges.size(); c++)
     for (std::size_t i = cells.first[c]; i < cells.first[c] + cells.count[c]; i++)
       if (p.phase[i] == Solid) ranges[c].add({values[i], values[i]});
-  return ranges;
 }
 
 inline bool anyMixed(std::span<const ValueRange> ranges) {
@@ -53,15 +58,13 @@ inline ValueRange rangeAround(const CellTable& cells, std::span<const ValueRange
 /// Calls use(cell, rows around it) for cells of owned rows around which solids have different values, until
 /// it returns true. Returns true if it did.
 template<class Use>
-bool anyMixedCell(const CellTable& cells, std::size_t owned, std::span<const ValueRange> ranges,
-                  const Use& use) {
-  if (!anyMixed(ranges)) return false;
-  std::vector<RowSpan> rows;
-  for (std::size_t c = 0; c < ranges.size(); c++) {
+bool anyMixedCell(const CellTable& cells, std::size_t owned, MixedCells& mixed, const Use& use) {
+  if (!anyMixed(mixed.ranges)) return false;
+  for (std::size_t c = 0; c < mixed.ranges.size(); c++) {
     if (cells.first[c] >= owned) continue;
-    if (!rangeAround(cells, ranges, cells.key[c]).mixed()) continue;
-    rowsAround(cells, cells.key[c], rows);
-    if (use(c, rows)) return true;
+    if (!rangeAround(cells, mixed.ranges, cells.key[c]).mixed()) continue;
+    rowsAround(cells, cells.key[c], mixed.rows);
+    if (use(c, std::span<const RowSpan>(mixed.rows))) return true;
   }
   return false;
 }

@@ -190,9 +190,7 @@ WallSpring wallSpring(const WallContext& x, std::size_t row) {
   const double filled = x.world.modules.evaporation
                             ? p.mass[row] / (restDensityOf(p, s.materials, row) * dx * dx * dx)
                             : 1;
-  double rest = p.contactOffset.active ? static_cast<double>(p.contactOffset[row]) : longestSpring;
-  if (p.contactDepth.active && p.contactDepth[row] > 0)
-    rest = std::min(rest, static_cast<double>(p.contactDepth[row]));
+  const double rest = p.contactOffset.active ? static_cast<double>(p.contactOffset[row]) : longestSpring;
   WallSpring spring;
   spring.length = dx * (rest + f * (0.25 - rest));
   spring.stiffness = (contactModulus(m, f) + f * liquid) * dx * filled;
@@ -356,8 +354,12 @@ void addWallHeat(const WallContext& x, const WallContacts& contacts) {
   Continuum& p = w.particles;
   const double h = w.grid.support;
   const HeatModel model = w.scene.numerics.heat;
+  const double coveredScale = 2 * w.scene.spacing / h;
   for (const WallContact& c : contacts.list) {
     const WallIntegrals t = x.tables(c.distance / h);
+    if (p.freeSurfaceIndicator.active)
+      p.freeSurfaceIndicator[c.row] = static_cast<float>(std::max(
+          0.0, static_cast<double>(p.freeSurfaceIndicator[c.row]) - coveredScale * t.push * c.share));
     const Obstacle& o = w.walls.list[c.wall].properties;
     if (!o.temperature || x.sleeps(c.row)) continue;
     const Material& m = w.scene.materials[p.material[c.row]];

@@ -98,17 +98,17 @@ void wakeNearBodies(const RigidifyView& v) {
   Continuum& p = v.rigid.particles;
   const CellTable& cells = v.rigid.cells;
   const double near = nearBody * v.rigid.scene.spacing;
-  anyMixedCell(cells, p.owned, rangesOfCells(cells, p, p.body),
-               [&](std::size_t c, std::span<const RowSpan> rows) {
-                 for (std::size_t i = cells.first[c]; i < cells.first[c] + cells.count[c]; i++)
-                   for (const RowSpan& r : rows)
-                     for (std::uint32_t j = r.begin; j < r.end && p.restTime[i] > 0; j++) {
-                       const Vec3d d = p.position[j] - p.position[i];
-                       if (p.phase[j] == Solid && p.body[j] != p.body[i] && dot(d, d) < near * near)
-                         p.restTime[i] = 0;
-                     }
-                 return false;
-               });
+  MixedCells mixed;
+  rangesOfCells(cells, p, p.body, mixed.ranges);
+  anyMixedCell(cells, p.owned, mixed, [&](std::size_t c, std::span<const RowSpan> rows) {
+    for (std::size_t i = cells.first[c]; i < cells.first[c] + cells.count[c]; i++)
+      for (const RowSpan& r : rows)
+        for (std::uint32_t j = r.begin; j < r.end && p.restTime[i] > 0; j++) {
+          const Vec3d d = p.position[j] - p.position[i];
+          if (p.phase[j] == Solid && p.body[j] != p.body[i] && dot(d, d) < near * near) p.restTime[i] = 0;
+        }
+    return false;
+  });
 }
 
 void wakeStretching(const RigidifyView& v, std::int64_t step) {
@@ -165,7 +165,9 @@ bool findDeforming(const RigidifyView& v, double dt) {
 bool nothingDeforms(const RigidifyView& v) {
   const RigidView& r = v.rigid;
   if (r.work.changedHere || anyActiveSlot(v.elastic, v.solids)) return false;
-  return !anyMixedCell(r.cells, r.particles.owned, rangesOfCells(r.cells, r.particles, r.particles.piece),
+  MixedCells mixed;
+  rangesOfCells(r.cells, r.particles, r.particles.piece, mixed.ranges);
+  return !anyMixedCell(r.cells, r.particles.owned, mixed,
                        [](std::size_t, std::span<const RowSpan>) { return true; });
 }
 

@@ -17,7 +17,6 @@ std::vector<StepModule> stepModules() {
           implicitViscosity(),
           heatFlow(),  // before melting: phases follow from the new temperatures
           heatExchange(),
-          conductionCorrection(),
           contactConductance(),
           evaporation(),
           heatSources(),

@@ -34,7 +34,6 @@ StepModule densityMonitor();
 StepModule implicitViscosity();
 StepModule heatFlow();
 StepModule heatExchange();
-StepModule conductionCorrection();
 StepModule contactConductance();
 StepModule evaporation();
 StepModule heatSources();

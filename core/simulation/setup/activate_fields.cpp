@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core/heat/conduction_correction.hpp"
 #include "core/scene/tension_form.hpp"
 #include "core/simulation/body_types/redistribute.hpp"
 #include "core/simulation/setup/initial_fill.hpp"
@@ -46,15 +45,14 @@ void activateFluid(Continuum& p, const Modules& m) {
   turnOn(p, m.phaseDensity, {&p.restDensity});
 }
 
-void activateHeat(Continuum& p, const Scene& s, const Modules& m) {
+void activateHeat(Continuum& p, const Modules& m) {
   turnOn(p, m.heat, {&p.enthalpy, &p.temperature, &p.heatFlow});
-  turnOn(p, correctsConduction(s, m), {&p.conductionCorrection});
   turnOn(p, m.lamps, {&p.absorbed});
   turnOn(p, m.contactConductance, {&p.contactNormal});
   turnOn(p, m.evaporation, {&p.freeSurfaceIndicator, &p.exposure, &p.vapour, &p.vapourEnergy});
   turnOn(p, m.mushDrag, {&p.mushRate, &p.solidVelocity});
   turnOn(p, m.melting, {&p.liquid, &p.softening});
-  turnOn(p, m.surfaceHeat, {&p.exposedArea});
+  turnOn(p, m.surfaceHeat, {&p.freeSurfaceIndicator});
 }
 
 void activatePieceFields(World& w) {
@@ -83,7 +81,7 @@ void activateFields(World& w, StepTools& t) {
   const bool curvature = actsByCurvature(w.scene.numerics, m), pairTension = m.tension && !curvature;
   turnOn(p, curvature, {&p.surfaceGradient, &p.surfaceColour, &p.setLabel});
   turnOn(p, m.shifting && m.continuity && (pairTension || !t.pairForces.empty()), {&p.positionForce});
-  activateHeat(p, w.scene, m);
+  activateHeat(p, m);
   turnOn(p, m.surface, {&p.surfacePosition, &p.component});
   turnOn(p, m.surface && m.solid, {&p.surfaceStartPosition});
   turnOn(p, m.surface && w.scene.surface.keepVolume > 0, {&p.surfaceVolumeRatio});
@@ -91,14 +89,13 @@ void activateFields(World& w, StepTools& t) {
   turnOn(p, m.solid, {&p.slot});
   turnOn(p, m.substeps, {&p.fastAcceleration});
   turnOn(p, m.freezing, {&p.contactOffset});
-  turnOn(p, m.elastic && (m.bodyContact || !w.walls.list.empty()), {&p.contactDepth});
   turnOn(p, m.elastic && anyFriction(w.walls), {&p.wallShear});
-  turnOn(p, m.bodyContact, {&p.contactRest, &p.contactShear, &p.bodyContact});
+  turnOn(p, m.bodyContact, {&p.contactDepth, &p.contactRest, &p.contactShear, &p.bodyContact});
   if (m.rigid) activatePieceFields(w);
   turnOn(p, m.sleep, {&p.restTime, &p.sleep, &p.constraintForce});
   if (m.sleep)  // values of skipped rows persist and move with their rows
-    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.relativeDensity, &p.freeSurfaceIndicator,
-                                                          &p.exposedArea, &p.contactNormal})
+    for (AnyColumn* c :
+         std::initializer_list<AnyColumn*>{&p.relativeDensity, &p.freeSurfaceIndicator, &p.contactNormal})
       c->keep = Keep::Local;
   bool clamped = m.emitters;
   for (const Body& b : w.scene.bodies) clamped = clamped || !b.clamp.empty();

@@ -104,11 +104,18 @@ TEST(BodyContact, ABallRollsOnASlab) {
   expectRolling(s);
 }
 
-TEST(BodyContact, ABallRollsOnAnObstacle) {
-  Scene s = slabScene(0.6, 0.86);
+TEST(BodyContact, ABlockOnAnInclinedObstacleHolds) {
+  Scene s = slabScene(0.3, 2);
   s.bodies.clear();
-  test::addFloor(s).friction = 0.6;
-  expectRolling(s);
+  test::addFloor(s).friction = 0.3;
+  addBlock(s);
+  s.end = 0.15;
+  Simulation r(s);
+  ASSERT_TRUE(r.run());
+  const double settled = middleOf(r).position.x;
+  r.w.clock.end = 0.3;
+  ASSERT_TRUE(r.run());
+  EXPECT_NEAR(middleOf(r).position.x, settled, 1e-3 * dx);
 }
 
 }  // namespace

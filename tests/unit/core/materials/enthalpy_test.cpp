@@ -203,14 +203,14 @@ TEST(Heat, SurfacesFollowNewtonsAndStefansLaws) {
   l.w.modules.surfaceHeat = true;
   l.w.scene.spacing = 0.05;
   l.w.scene.domain.ambient = 300;
-  l.p().exposedArea[0] = 1;
+  l.p().freeSurfaceIndicator[0] = static_cast<float>(flatLatticeIndicator(l.w.scene.numerics));
   l.p().heatFlow[0] = 0;
   addOuterHeat(heatView(l.w), 1e-6);
   const double expected = 0.05 * 0.05 *
                           (20 * (300 - 600.0) + 0.9 * 5.670374419e-8 * (std::pow(300, 4) - std::pow(600, 4)));
   EXPECT_NEAR(l.p().heatFlow[0], expected, 1e-6 * std::abs(expected));
   EXPECT_NEAR(l.w.ledger.heatIn.value(), expected * 1e-6, 1e-12 * std::abs(expected));
-  l.p().exposedArea[0] = 0.17f;  // noise inside a liquid is no surface
+  l.p().freeSurfaceIndicator[0] = 0.4f;  // noise inside a liquid is no surface
   l.p().heatFlow[0] = 0;
   addOuterHeat(heatView(l.w), 1);
   EXPECT_EQ(l.p().heatFlow[0], 0);
@@ -224,7 +224,7 @@ TEST(Heat, SurfacesDoNotOvershoot) {
   Lump l(m, 1000);
   l.w.modules.surfaceHeat = true;
   l.w.scene.domain.ambient = 300;
-  l.p().exposedArea[0] = 1;
+  l.p().freeSurfaceIndicator[0] = 1;
   for (int k = 0; k < 50; k++) {
     l.p().heatFlow[0] = 0;
     addOuterHeat(heatView(l.w), 100);
