@@ -13,38 +13,38 @@
 namespace thaw {
 
 /// Smallest and largest value of the solids in a cell.
-struct ValueRange {
+struct SolidRange {
   std::uint64_t low = ~std::uint64_t{0}, high = 0;
-  void add(const ValueRange& o) { low = std::min(low, o.low), high = std::max(high, o.high); }
+  void add(const SolidRange& o) { low = std::min(low, o.low), high = std::max(high, o.high); }
   bool mixed() const { return low < high; }
 };
 
 /// Work of anyMixedCell.
 struct MixedCells {
-  std::vector<ValueRange> ranges;  ///< by cell
+  std::vector<SolidRange> ranges;  ///< by cell
   std::vector<RowSpan> rows;       ///< temporary
 };
 
 /// Finds the ranges of the values of solids, by cell.
 template<class Value>
 void rangesOfCells(const CellTable& cells, const Continuum& p, const Column<Value>& values,
-                   std::vector<ValueRange>& ranges) {
+                   std::vector<SolidRange>& ranges) {
   ranges.assign(cells.key.size(), {});
   for (std::size_t c = 0; c < ranges.size(); c++)
     for (std::size_t i = cells.first[c]; i < cells.first[c] + cells.count[c]; i++)
       if (p.phase[i] == Solid) ranges[c].add({values[i], values[i]});
 }
 
-inline bool anyMixed(std::span<const ValueRange> ranges) {
-  ValueRange all;
-  for (const ValueRange& r : ranges) all.add(r);
+inline bool anyMixed(std::span<const SolidRange> ranges) {
+  SolidRange all;
+  for (const SolidRange& r : ranges) all.add(r);
   return all.mixed();
 }
 
 /// Range of the 27 cells around a cell.
-inline ValueRange rangeAround(const CellTable& cells, std::span<const ValueRange> ranges, std::uint64_t key) {
+inline SolidRange rangeAround(const CellTable& cells, std::span<const SolidRange> ranges, std::uint64_t key) {
   const Vec3i at = cellOfKey(key);
-  ValueRange around;
+  SolidRange around;
   for (int z = -1; z <= 1; z++)
     for (int y = -1; y <= 1; y++) {
       const std::uint64_t last = cellKey({at.x + 1, at.y + y, at.z + z});
