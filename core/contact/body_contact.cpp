@@ -57,9 +57,11 @@ std::span<const ClosePair> pairsOf(const BodyContactWork& work, const BodyTouch&
 }
 
 /// Sums over the pairs that wanted(pair) admits.
+enum class Velocities { Now, OfEvaluation };  ///< later, ghosts have other velocities than their owners
+
 template<class Wanted>
 BodySums sumsOf(const BodyContactView& v, const ContactKernel& kernel, std::span<const ClosePair> pairs,
-                const Wanted& wanted) {
+                const Wanted& wanted, Velocities velocities = Velocities::Now) {
   const Continuum& p = v.particles;
   BodySums s;
   for (const ClosePair& pair : pairs) {
@@ -75,7 +77,8 @@ BodySums sumsOf(const BodyContactView& v, const ContactKernel& kernel, std::span
     s.friction += w * c.friction;
     if (!(r > 0)) continue;  // no direction: separateCoincident moves them
     const Vec3d u = p.velocity[pair.own] - p.velocity[pair.other];
-    const double closing = -dot(u, d) / r;
+    double& closing = v.work.closing[static_cast<std::size_t>(&pair - v.work.pairs.data())];
+    if (velocities == Velocities::Now) closing = -dot(u, d) / r;
     s.rate += g * closing;
     s.stiffnessRate += g * closing * c.stiffness;
     s.steepness += g;
@@ -272,6 +275,7 @@ void findBodyTouches(const BodyContactView& v, ExactSum* frozen) {
   const ContactKernel& kernel = v.work.kernel;
   listRows(v, kernel.radius);
   std::fill_n(p.bodyContact.data(), p.owned, Mat3f{});
+  v.work.closing.assign(v.work.pairs.size(), 0);
   for (BodyTouch& touch : v.work.rows) findTouch(v, kernel, touch, frozen);
   for (std::size_t i = 0; i < p.owned; i++)
     if (p.contactRest[i] == 0) p.contactRest[i] = static_cast<float>(kernel.touch);
@@ -334,7 +338,8 @@ void recordStiffnessChanges(const BodyContactView& v, double next, ExactSum& pha
   for (const BodyTouch& touch : v.work.rows) {
     if (!(touch.energy > 0)) continue;
     const BodySums s = sumsOf(v, kernel, pairsOf(v.work, touch),
-                              [&](const ClosePair& pair) { return canTouch(p, pair.own, pair.other); });
+                              [&](const ClosePair& pair) { return canTouch(p, pair.own, pair.other); },
+                              Velocities::OfEvaluation);
     const Press now = pressOf(kernel, s, restOf(kernel, p, touch.row));
     const Vec3d shear = p.contactShear[touch.row];
     const double stiffer = shearStiffness(s) - touch.shearStiffness;
