@@ -337,9 +337,9 @@ void recordStiffnessChanges(const BodyContactView& v, double next, ExactSum& pha
   const ContactKernel& kernel = v.work.kernel;
   for (const BodyTouch& touch : v.work.rows) {
     if (!(touch.energy > 0)) continue;
-    const BodySums s = sumsOf(v, kernel, pairsOf(v.work, touch),
-                              [&](const ClosePair& pair) { return canTouch(p, pair.own, pair.other); },
-                              Velocities::OfEvaluation);
+    const BodySums s = sumsOf(
+        v, kernel, pairsOf(v.work, touch),
+        [&](const ClosePair& pair) { return canTouch(p, pair.own, pair.other); }, Velocities::OfEvaluation);
     const Press now = pressOf(kernel, s, restOf(kernel, p, touch.row));
     const Vec3d shear = p.contactShear[touch.row];
     const double stiffer = shearStiffness(s) - touch.shearStiffness;

@@ -74,8 +74,8 @@ struct BodyTouch {
 
 struct BodyContactWork {
   ContactKernel kernel;
-  MixedCells mixed;             ///< temporary
-  std::vector<double> closing;  ///< m/s, approach of the pairs in the evaluation
+  MixedCells mixed;              ///< temporary
+  std::vector<double> closing;   ///< m/s, approach of the pairs in the evaluation
   std::vector<ClosePair> pairs;  ///< solids of different bodies, by own row
   std::vector<BodyTouch> rows;
   std::vector<DissipativeForce> resistance;  ///< N, by row

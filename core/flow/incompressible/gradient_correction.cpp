@@ -66,7 +66,10 @@ void correctGradients(const PressureSystem& x) {
     work.inside[i] = insideWeight(static_cast<double>(p.relativeDensity[i]), work.moment[i], asymmetry);
   }
   for (const WallSlope& wall : work.walls) work.impulse[wall.row] -= wall.slope * 0.5;
-  if (x.modules.solid) clearBesideSolids(x);
+  if (x.modules.solid) {
+    if (x.modules.melting) refresh(x.halos.cells, p, ColumnList{&p.phase}).wait();  // owners have changed it
+    clearBesideSolids(x);
+  }
   for (std::size_t i = 0; i < p.owned; i++)
     p.correction[i] = work.inside[i] > 0 ? single(static_cast<double>(work.inside[i]) *
                                                   (symmetric(inverse(full(work.moment[i]))) - unit))
