@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/contact/friction_spring.hpp"
 #include "core/neighbours/mixed_cells.hpp"
 
 namespace thaw {
@@ -56,12 +57,14 @@ std::span<const ClosePair> pairsOf(const BodyContactWork& work, const BodyTouch&
   return {work.pairs.data() + touch.first, work.pairs.data() + touch.last};
 }
 
-/// Sums over the pairs that wanted(pair) admits.
-enum class Velocities { Now, OfEvaluation };  ///< later, ghosts have other velocities than their owners
+/// Velocities of a sum. After the evaluation, ghosts have other velocities than their owners.
+enum class Velocities { Now, OfEvaluation };
 
+/// Sums over the pairs that wanted(pair) admits.
 template<class Wanted>
-BodySums sumsOf(const BodyContactView& v, const ContactKernel& kernel, std::span<const ClosePair> pairs,
-                const Wanted& wanted, Velocities velocities = Velocities::Now) {
+BodySums sumsOf(const BodyContactView& v, std::span<const ClosePair> pairs, const Wanted& wanted,
+                Velocities velocities = Velocities::Now) {
+  const ContactKernel& kernel = v.work.kernel;
   const Continuum& p = v.particles;
   BodySums s;
   for (const ClosePair& pair : pairs) {
@@ -104,38 +107,29 @@ Press pressOf(const ContactKernel& kernel, const BodySums& s, double rest) {
   return press;
 }
 
-/// Forces (N) of friction on a particle, and what they do in the step.
+/// Friction of a particle, and what it does in the step.
 struct Friction {
-  Vec3d spring{}, dashpot{};
-  Vec3d shear{};                ///< m, displacement of the spring
+  SpringFriction force;
   double energy = 0, lost = 0;  ///< J, W
 };
 
 /// Stiffness (N/m) of the friction spring: half of that of a pair, since both particles have one.
 double shearStiffness(const BodySums& s) { return s.steepness > 0 ? 0.5 * s.stiffness / s.phi : 0; }
 
-/// Friction of a particle whose spring had the displacement `old` (m) before the step. The spring acts in the
-/// tangential plane, and slips where the force would exceed its bound.
+/// Friction of a particle whose spring had the displacement `old` (m) before the step.
 Friction frictionOf(const BodySums& s, const Press& press, const Vec3d& old, double dt) {
   Friction f;
   if (!(s.steepness > 0)) return f;
   const double away = length(s.away), bound = s.friction / s.phi * press.normal * away;
-  const double k = shearStiffness(s), c = 0.25 * s.grip / s.phi;
+  const double k = shearStiffness(s);
   const Vec3d u = s.motion / s.steepness;
-  if (press.energy > 0 && bound > 0) {
-    const Vec3d n = s.away / away, moved = old + u * dt;
-    f.shear = moved - n * dot(moved, n);
-    const double size = k * length(f.shear);
-    if (size > bound) f.shear = f.shear * (bound / size);
-    f.spring = f.shear * -k;
-    const Vec3d slide = u - n * dot(u, n);
-    const double speed = length(slide), left = std::max(0.0, bound - size);
-    if (speed > 0) f.dashpot = slide * -std::min(c, left / speed);
-  }
-  f.energy = 0.5 * k * dot(f.shear, f.shear);
-  f.lost = -dot(f.dashpot, u);
+  if (press.energy > 0 && bound > 0)
+    f.force = springFriction({k, 0.25 * s.grip / s.phi, bound}, s.away / away, old + u * dt, u);
+  const Vec3d& shear = f.force.shear;
+  f.energy = 0.5 * k * dot(shear, shear);
+  f.lost = -dot(f.force.dashpot, u);
   if (dt > 0) {
-    const double work = 0.5 * k * dot(old + f.shear, u);  // against the spring, in both half kicks
+    const double work = 0.5 * k * dot(old + shear, u);  // against the spring, in both half kicks
     f.lost += work - (f.energy - 0.5 * k * dot(old, old)) / dt;
   }
   return f;
@@ -146,8 +140,8 @@ Mat3f contactData(const BodySums& s, const Press& press, const Friction& frictio
   Mat3f data{};
   data.row[0] = single(Vec3d{press.byStiffness, press.alone, press.dash});
   if (!(s.steepness > 0)) return data;
-  data.row[1] = single(friction.spring / s.steepness);
-  data.row[2] = single(friction.dashpot / s.steepness);
+  data.row[1] = single(friction.force.spring / s.steepness);
+  data.row[2] = single(friction.force.dashpot / s.steepness);
   return data;
 }
 
@@ -206,9 +200,9 @@ void findTouch(const BodyContactView& v, const ContactKernel& kernel, BodyTouch&
   Continuum& p = v.particles;
   const std::uint32_t i = touch.row;
   const auto pairs = pairsOf(v.work, touch);
-  const BodySums sums = sumsOf(v, kernel, pairs, [](const ClosePair&) { return true; });
+  const BodySums sums = sumsOf(v, pairs, [](const ClosePair&) { return true; });
   BodySums before = sums;
-  if (frozen) before = sumsOf(v, kernel, pairs, [&](const ClosePair& pair) { return !justFroze(p, pair); });
+  if (frozen) before = sumsOf(v, pairs, [&](const ClosePair& pair) { return !justFroze(p, pair); });
   const Press without = frozen ? pressOf(kernel, before, restOf(kernel, p, i)) : Press{};
   const bool fresh = p.contactRest[i] == 0 || (frozen && p.justFrozen[i]);
   setRest(kernel, p.contactRest[i], fresh, sums.phi, before.phi);
@@ -217,8 +211,9 @@ void findTouch(const BodyContactView& v, const ContactKernel& kernel, BodyTouch&
   if (frozen) frozen->add(without.energy - press.energy + 0.5 * v.step * (press.rate - without.rate));
   const Friction friction = frictionOf(sums, press, p.contactShear[i], v.dt);
   // Velocities of a state that is restored are not those of its evaluation, which set the displacement.
-  if (v.dt > 0) p.contactShear[i] = friction.shear;
+  if (v.dt > 0) p.contactShear[i] = friction.force.shear;
   touch.energy = press.energy, touch.rate = press.rate;
+  touch.soon = sums.phi + 2 * v.step * std::max(sums.rate, 0.0) >= restOf(kernel, p, i);
   touch.sheared = friction.energy, touch.lost = friction.lost;
   touch.shearStiffness = shearStiffness(sums);
   if (sums.steepness > 0) touch.motion = sums.motion / sums.steepness;
@@ -281,12 +276,8 @@ void findBodyTouches(const BodyContactView& v, ExactSum* frozen) {
     if (p.contactRest[i] == 0) p.contactRest[i] = static_cast<float>(kernel.touch);
 }
 
-bool touchesSoon(const BodyContactView& v) {
-  const ContactKernel& kernel = v.work.kernel;
-  return std::any_of(v.work.rows.begin(), v.work.rows.end(), [&](const BodyTouch& touch) {
-    const BodySums s = sumsOf(v, kernel, pairsOf(v.work, touch), [](const ClosePair&) { return true; });
-    return s.phi + 2 * v.step * std::max(s.rate, 0.0) >= restOf(kernel, v.particles, touch.row);
-  });
+bool touchesSoon(const BodyContactWork& work) {
+  return std::any_of(work.rows.begin(), work.rows.end(), [](const BodyTouch& touch) { return touch.soon; });
 }
 
 void addBodyContacts(const BodyContactView& v, std::span<const std::uint8_t> skipped) {
@@ -338,8 +329,8 @@ void recordStiffnessChanges(const BodyContactView& v, double next, ExactSum& pha
   for (const BodyTouch& touch : v.work.rows) {
     if (!(touch.energy > 0)) continue;
     const BodySums s = sumsOf(
-        v, kernel, pairsOf(v.work, touch),
-        [&](const ClosePair& pair) { return canTouch(p, pair.own, pair.other); }, Velocities::OfEvaluation);
+        v, pairsOf(v.work, touch), [&](const ClosePair& pair) { return canTouch(p, pair.own, pair.other); },
+        Velocities::OfEvaluation);
     const Press now = pressOf(kernel, s, restOf(kernel, p, touch.row));
     const Vec3d shear = p.contactShear[touch.row];
     const double stiffer = shearStiffness(s) - touch.shearStiffness;

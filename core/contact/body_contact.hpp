@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contact of solids of different bodies. Each solid particle counts the particles of other bodies around it,
-// weighted with a kernel that is wide enough to smooth their lattice. It is pressed where the sum exceeds
-// that of a flat surface one spacing away:
+// weighted with a kernel that is wide enough to smooth their lattice. It is pressed where the sum exceeds the
+// one at a spacing from a flat surface:
 //
 //   phi_i = sum_j s_i s_j w(r_ij),   E_i = 1/2 c k_i (phi_i - phi_0)^2,   k_i = sum_j s_i s_j w k_ij / phi_i
 //
@@ -70,6 +70,7 @@ struct BodyTouch {
   Vec3d motion{};               ///< m/s, relative to the other bodies
   float liquid = 0;             ///< liquid fraction
   bool pressed = false;         ///< it or one of its neighbours has a contact force
+  bool soon = false;            ///< it touches, or will do so within two steps
 };
 
 struct BodyContactWork {
@@ -97,14 +98,14 @@ struct BodyContactView {
 /// Sets the kernel. Call it once, before the functions below.
 void prepareBodyContact(const Scene& scene, const CellGrid& grid, BodyContactWork& work);
 
-/// Finds the solids with other bodies in reach, and sets Continuum::bodyContact, contactRest and contactShear
-/// of owned rows. frozen: Ledger::phaseJump if a particle just froze on any rank, else null; takes the
+/// Finds the solids with other bodies in reach. Sets Continuum::bodyContact, contactRest and contactShear;
+/// all rows are owned. frozen: Ledger::phaseJump if a particle just froze on any rank, else null; takes the
 /// contact energy (J) that freezing creates. Requires: positions, velocities, phases and liquid fractions of
 /// ghosts.
 void findBodyTouches(const BodyContactView& view, ExactSum* frozen);
 
 /// Returns whether a particle of this rank touches another body, or will do so within two steps.
-bool touchesSoon(const BodyContactView& view);
+bool touchesSoon(const BodyContactWork& work);
 
 /// Adds the contact forces and energies of owned rows, in the order of their pairs, except for rows with
 /// skipped[row] (empty: none). The dissipation uses the velocities of the force evaluation; recordResistance

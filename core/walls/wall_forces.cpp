@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/contact/dashpot.hpp"
+#include "core/contact/friction_spring.hpp"
 #include "core/fluid/flow_laws/particle_viscosity.hpp"
 #include "core/fluid/laws/particle_pressure.hpp"
 #include "core/materials/contact_modulus.hpp"
@@ -95,32 +96,9 @@ void addLiquidForces(const WallContext& x, const ParticleAtWall& at, double inve
   act.resist(tangential * -rate, at.velocity);
 }
 
-/// Coulomb friction of a solid with the normal force `press` (N) and the velocity `slide` (m/s) along the
-/// wall. `shear` (m): displacement of the friction spring, which holds solids at rest. It has the stiffness k
-/// (N/m), and slips where its force would exceed the bound; null: no spring.
-Vec3d frictionForce(const WallContext& x, const ParticleAtWall& at, const WallSpring& wall, double press,
-                    const Vec3d& slide, Vec3d* shear) {
-  const double bound = (1 - at.liquid) * at.wall.friction * press, speed = length(slide);
-  // Below the speed at which friction would stop the sliding within the step (or the spring's period), it
-  // acts as a drag. It thus never reverses the motion.
-  const double m = x.world.particles.mass[at.row],
-               stick = (1 - at.liquid) * std::min(std::sqrt(wall.stiffness * m), 0.5 * m / x.span);
-  double left = bound;
-  Vec3d force{};
-  if (shear) {
-    const Vec3d &n = at.contact.normal, moved = *shear + slide * x.dt;
-    *shear = moved - n * dot(moved, n);
-    const double size = wall.stiffness * length(*shear);
-    if (size > bound) *shear = *shear * (bound / size);
-    force = *shear * -wall.stiffness;
-    left = std::max(0.0, bound - size);
-  }
-  if (speed > 0) force += slide * -std::min(left / speed, stick);
-  return force;
-}
-
 /// Adds a spring with dashpot (CS79) and friction. Its energy goes to `stored` if that is not null. Returns
-/// true if a solid is pressed. shear: as in frictionForce.
+/// true if a solid is pressed. shear (m): displacement of the friction spring; null: friction is a drag at
+/// low speed.
 bool addContactForces(const WallContext& x, const ParticleAtWall& at, Continuum* stored, WallAction& act,
                       Vec3d* shear) {
   const Continuum& p = x.world.particles;
@@ -138,7 +116,14 @@ bool addContactForces(const WallContext& x, const ParticleAtWall& at, Continuum*
   act.resist(n * dash, at.velocity);
   if (stored) stored->interaction[at.row] += 0.5 * k * gap * gap;
   if (f >= 1) return false;
-  act.resist(frictionForce(x, at, wall, spring + dash, at.velocity - n * un, shear), at.velocity);
+  // Below this rate, friction does not stop the sliding within the step (or the spring's period), so it never
+  // reverses the motion.
+  const double stick = std::min(std::sqrt(k * m), 0.5 * m / x.span);
+  const SpringFriction friction = springFriction(
+      {k, (1 - f) * stick, (1 - f) * at.wall.friction * (spring + dash)}, n,
+      shear ? *shear + at.velocity * x.dt : Vec3d{}, at.velocity);
+  if (shear) *shear = friction.shear;
+  act.resist(friction.spring + friction.dashpot, at.velocity);
   return true;
 }
 

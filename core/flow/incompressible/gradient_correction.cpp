@@ -50,7 +50,6 @@ void clearBesideSolids(const PressureSystem& x) {
 }  // namespace
 
 void correctGradients(const PressureSystem& x) {
-  constexpr double sizePerMoment = 1.77;  // h sum V |grad W| over the trace of the moment on a lattice
   constexpr Sym3d unit{1, 1, 1, 0, 0, 0};
   Continuum& p = x.particles;
   PressureWork& work = x.pressure;

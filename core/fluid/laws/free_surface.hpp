@@ -13,6 +13,9 @@ inline constexpr double surfaceMoment = 0.68;
 /// without moments, and near walls, whose part of the moment is unknown. The outermost layer of a lattice has
 /// 0.25.
 inline constexpr double surfaceAsymmetry = 0.19;
+/// h sum V |grad W| over the trace of the moment: 1.77 on a lattice with the default support, 1.81 in its
+/// outermost layer.
+inline constexpr double sizePerMoment = 1.77;
 /// Shifting velocity over h times the strain rate, and over sqrt(|p| / rho) under tension, each per
 /// concentration gradient.
 inline constexpr double shiftPerStrain = 20, shiftPerTension = 40;

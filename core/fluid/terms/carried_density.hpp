@@ -180,9 +180,6 @@ struct CarriedDensity {
       }
     }
   }
-  /// h sum V |grad W| over the trace of the moment: 1.77 on a lattice with the default support, 1.81 in its
-  /// outermost layer.
-  static constexpr double sizePerMoment = 1.77;
   THAW_INLINE CarrySums<Real> scaledSums(const Data& i, const Sum& s, L total) const {
     const double h = in->support;
     const L k(static_cast<Real>(scale)), perSecond(static_cast<Real>(scale / h * unit)), length(unit),

@@ -23,7 +23,7 @@ StepModule bodyContact() {
             [](StepContext& c) {
               const BodyContactView view = bodyContactView(c.w, c.t, c.walls.span, c.dt);
               addBodyContacts(view, c.t.sleep.skipped);
-              if (c.w.modules.rareContact) c.contactNear = c.contactNear || touchesSoon(view);
+              if (c.w.modules.rareContact) c.contactNear = c.contactNear || touchesSoon(c.t.bodyContact);
             }},
            {ModulePhase::AllForces,
             [](StepContext& c) { recordResistance(c.walls, c.t.bodyContact.resistance); }}}};

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Static friction: a spring along a face with a dashpot (CS79).
+#pragma once
+#include <algorithm>
+
+#include "core/math/vec3.hpp"
+
+namespace thaw {
+
+struct FrictionLaw {
+  double stiffness;  ///< N/m, of the spring
+  double rate;       ///< kg/s, of the dashpot
+  double bound;      ///< N, Coulomb's limit
+};
+
+struct SpringFriction {
+  Vec3d shear{};              ///< m, displacement of the spring
+  Vec3d spring{}, dashpot{};  ///< N
+};
+
+/// Returns the friction at a face with the normal n for a spring that was moved to the displacement `moved`
+/// (m), and the relative velocity u (m/s). The spring slips where its force would exceed the bound; the
+/// dashpot uses what is left of it.
+inline SpringFriction springFriction(const FrictionLaw& law, const Vec3d& n, const Vec3d& moved,
+                                     const Vec3d& u) {
+  SpringFriction f;
+  f.shear = moved - n * dot(moved, n);
+  const double size = law.stiffness * length(f.shear);
+  if (size > law.bound) f.shear = f.shear * (law.bound / size);
+  f.spring = f.shear * -law.stiffness;
+  const Vec3d slide = u - n * dot(u, n);
+  const double speed = length(slide), left = std::max(0.0, law.bound - size);
+  if (speed > 0) f.dashpot = slide * -std::min(law.rate, left / speed);
+  return f;
+}
+
+}  // namespace thaw
