@@ -299,7 +299,7 @@ Modules modulesOf(const Scene& s) {
     findHeatLaws(f, s.materials[k], who);
     findSolidLaws(f, s.materials[k], who);
   }
-  const bool elastic = findRigid(f, used);
+  const bool elastic = m.elastic = findRigid(f, used);
   findContact(f, used, solidBodies, elastic);
   if (m.fluid && s.numerics.solver == PressureSolver::Incompressible)
     f.on(m.incompressible, "incompressible liquid", "numerics.pressure_solver");

@@ -198,6 +198,10 @@ struct Continuum : Table {
       "closer"};
   Column<float> contactDepth{*this, "contactDepth", "1", Keep::State,
       "depth below the surface of its body at the start, in spacings, at most 1/2; 0: 1/2"};
+  Column<float> wallOffset{*this, "wallOffset", "1", Keep::State,
+      "distance from a wall, in spacings, at which the present contact begins; 0: no contact", Rows::Owned};
+  Column<Vec3f> wallShear{*this, "wallShear", "m", Keep::State,
+      "displacement of the friction spring to obstacles", Rows::Owned};
   Column<float> contactRest{*this, "contactRest", "1", Keep::State,
       "sum over the solids of other bodies at which contact with them begins; 0: not known yet "
       "(core/contact/body_contact.hpp)", Rows::Owned};

@@ -25,6 +25,7 @@ struct Modules {
   bool bulkDamping = false;          ///< liquids with volume viscosity
   bool viscosityCorrection = false;  ///< viscosity is corrected for the arrangement of the particles
   bool solid = false;                ///< some particle is or can become solid: bonds, elastic forces
+  bool elastic = false;              ///< some solid has bonds
   bool rigid = false;                ///< some particle is or can become part of a rigid piece (core/rigid/)
   bool substeps = false;             ///< solids may take several substeps in a step
   int mostSubsteps = 1;

@@ -92,6 +92,7 @@ struct Material {
   double paperDiffusivity = 0;   // m^2/s, k_heat of K05, for heat model "paper"
   bool liquidAtStart = false;    // only for materials that do not melt: initial phase
   bool melts() const { return solidus < never; }
+  bool yields() const { return yieldStrain.solid < never; }
   bool isRigid() const { return std::string_view(law.name) == "rigid"; }  // bodies of core/rigid/
   bool canBeSolid() const { return young.solid > 0 || isRigid(); }
 };

@@ -7,6 +7,7 @@
 #include "core/simulation/step.hpp"
 #include "core/simulation/step_context.hpp"
 #include "core/simulation/sums/particle_sums.hpp"
+#include "core/walls/wall_offsets.hpp"
 
 namespace thaw {
 namespace {
@@ -74,6 +75,7 @@ void findForces(StepContext& c) {
 void addContacts(StepContext& c) {
   runPhase(ModulePhase::Contact, c);
   c.t.times.lap(StepPhase::Contact);
+  if (c.w.particles.wallOffset.active) findWallOffsets(c.walls, c.t.wallContacts);
   addWallForces(c.walls, c.t.inverseLatticeSum, c.t.wallContacts);
   c.t.times.lap(StepPhase::Walls);
   runPhase(ModulePhase::Coupling, c);

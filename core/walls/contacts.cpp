@@ -99,6 +99,7 @@ double overlapSlope(double a, double b, double g) {
 void updateContactOffset(Continuum& p, const Scene& scene, std::size_t i, double nearest) {
   const auto now = static_cast<float>(std::clamp(nearest / scene.spacing, 0.25, 0.5));
   p.contactOffset[i] = p.liquid[i] >= 1 ? now : std::max(p.contactOffset[i], now);
+  if (p.contactDepth.active && p.liquid[i] >= 1) p.contactDepth[i] = 0;
 }
 
 /// Fraction of a contact's pressure that remains after overlap with another wall.

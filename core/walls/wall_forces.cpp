@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/contact/dashpot.hpp"
+#include "core/contact/friction_spring.hpp"
 #include "core/fluid/flow_laws/particle_viscosity.hpp"
 #include "core/fluid/laws/particle_pressure.hpp"
 #include "core/materials/contact_modulus.hpp"
@@ -95,14 +96,17 @@ void addLiquidForces(const WallContext& x, const ParticleAtWall& at, double inve
   act.resist(tangential * -rate, at.velocity);
 }
 
-/// Adds a spring with dashpot (CS79) and Coulomb friction. Its energy goes to `stored` if that is not null.
-void addContactForces(const WallContext& x, const ParticleAtWall& at, Continuum* stored, WallAction& act) {
+/// Adds a spring with dashpot (CS79) and friction. Its energy goes to `stored` if that is not null. Returns
+/// true if a solid is pressed. shear (m): displacement of the friction spring; null: friction is a drag at
+/// low speed.
+bool addContactForces(const WallContext& x, const ParticleAtWall& at, Continuum* stored, WallAction& act,
+                      Vec3d* shear) {
   const Continuum& p = x.world.particles;
-  if (at.contact.distance >= longestSpring * x.world.scene.spacing) return;
+  if (at.contact.distance >= longestSpring * x.world.scene.spacing) return false;
   const double f = at.liquid, m = p.mass[at.row];
   const WallSpring wall = wallSpring(x, at.row);
   const double gap = wall.length - at.contact.distance, k = wall.stiffness;
-  if (gap <= 0 || k <= 0) return;
+  if (gap <= 0 || k <= 0) return false;
   const Vec3d& n = at.contact.normal;
   const double restitution = f < 1 ? std::min(at.wall.restitution, at.material.restitution) : 0.2;
   const double un = dot(at.velocity, n), spring = k * gap;
@@ -111,15 +115,40 @@ void addContactForces(const WallContext& x, const ParticleAtWall& at, Continuum*
   act.force += n * spring;
   act.resist(n * dash, at.velocity);
   if (stored) stored->interaction[at.row] += 0.5 * k * gap * gap;
-  const Vec3d tangential = at.velocity - n * un;
-  const double slip = length(tangential);
-  if (f >= 1 || slip == 0) return;
-  // Below the speed at which friction would stop the sliding within the step (or the spring's period), it
-  // acts as a drag. It thus never reverses the motion.
+  if (f >= 1) return false;
+  // Below this rate, friction does not stop the sliding within the step (or the spring's period), so it never
+  // reverses the motion.
   const double stick = std::min(std::sqrt(k * m), 0.5 * m / x.span);
-  const double rub = (1 - f) * std::min(at.wall.friction * (spring + dash) / slip, stick);
-  act.resist(tangential * -rub, at.velocity);
+  const SpringFriction friction = springFriction(
+      {k, (1 - f) * stick, (1 - f) * at.wall.friction * (spring + dash)}, n,
+      shear ? *shear + at.velocity * x.dt : Vec3d{}, at.velocity);
+  if (shear) *shear = friction.shear;
+  act.resist(friction.spring + friction.dashpot, at.velocity);
+  return true;
 }
+
+/// The friction spring of a particle: at the first wall that presses it. Solids that yield have none: pastes
+/// creep on walls.
+class FrictionSpring {
+ public:
+  FrictionSpring(Continuum& p, std::size_t row, double dt, bool yields)
+      : p_(p), row_(row), kept_(p.wallShear.active && !yields), stepped_(dt > 0) {
+    if (kept_) shear_ = wide(p.wallShear[row]);
+  }
+  /// The spring for the next contact, or null.
+  Vec3d* forContact() { return kept_ && !used_ ? &shear_ : nullptr; }
+  void note(bool pressed) { used_ = used_ || pressed; }
+  /// Stores the displacement, 0 without contact. An evaluation without a step keeps the state.
+  void store() {
+    if (kept_ && stepped_) p_.wallShear[row_] = used_ ? single(shear_) : Vec3f{};
+  }
+
+ private:
+  Continuum& p_;
+  std::size_t row_;
+  bool kept_, stepped_, used_ = false;
+  Vec3d shear_{};
+};
 
 /// Velocity difference (m/s) between the force evaluation and the energy change: half a kick lies on either
 /// side of now (at the start only after it). With drag the pressure solver records it, except for substeps.
@@ -147,7 +176,9 @@ WallSpring wallSpring(const WallContext& x, std::size_t row) {
   const double filled = x.world.modules.evaporation
                             ? p.mass[row] / (restDensityOf(p, s.materials, row) * dx * dx * dx)
                             : 1;
-  const double rest = p.contactOffset.active ? static_cast<double>(p.contactOffset[row]) : longestSpring;
+  double rest = p.contactOffset.active ? static_cast<double>(p.contactOffset[row]) : longestSpring;
+  if (p.wallOffset.active && p.wallOffset[row] > 0)
+    rest = std::min(rest, static_cast<double>(p.wallOffset[row]));
   WallSpring spring;
   spring.length = dx * (rest + f * (0.25 - rest));
   spring.stiffness = (contactModulus(m, f) + f * liquid) * dx * filled;
@@ -192,6 +223,7 @@ void addWallForces(const WallContext& x, double inverseLatticeSum, WallContacts&
     const double density = restDensityOf(p, w.scene.materials, i);
     const bool substeps = p.fastAcceleration.active && p.slot[i] != noSlot;
     WallAction act, often;  // often: the part that acts in every substep
+    FrictionSpring friction(p, i, x.dt, m.yields());
     for (; c < list.size() && list[c].row == i; c++) {
       const Wall& wall = w.walls.list[list[c].wall];
       const Vec3d v = wallVelocity(wall, p.position[i]), before = act.force;
@@ -200,7 +232,7 @@ void addWallForces(const WallContext& x, double inverseLatticeSum, WallContacts&
           p.velocity[i] - v};
       if (at.liquid > 0) addLiquidForces(x, at, inverseLatticeSum, act, contacts.stiffest);
       const WallAction slow = act;
-      addContactForces(substeps ? shorter : x, at, &p, act);
+      friction.note(addContactForces(substeps ? shorter : x, at, &p, act, friction.forContact()));
       if (substeps) {
         often.force += act.force - slow.force;
         often.dissipativeForce += act.dissipativeForce - slow.dissipativeForce;
@@ -210,6 +242,7 @@ void addWallForces(const WallContext& x, double inverseLatticeSum, WallContacts&
       w.ledger.wallWork.add(dot(act.force - before, v) * x.dt);
       if (substeps) w.ledger.wallWork.add(dot(act.force - slow.force, v) * (x.dt * (x.fast - 1)));
     }
+    friction.store();
     p.force[i] += act.force;
     if (substeps) p.fastAcceleration[i] += often.force / p.mass[i];
     if (p.drag.active) p.drag[i] += act.dissipativeForce;
@@ -230,6 +263,7 @@ WallLoad wallLoad(const WallContext& x, double inverseLatticeSum, const WallCont
   const WallView& w = x.world;
   const Continuum& p = w.particles;
   WallLoad load;
+  const WallContext still{w, x.tables, x.liquids, 0, x.span};  // friction springs keep their displacement
   for (const WallContact& c : contacts.list) {
     const Wall& touched = w.walls.list[c.wall];
     const std::size_t i = c.row;
@@ -246,7 +280,8 @@ WallLoad wallLoad(const WallContext& x, double inverseLatticeSum, const WallCont
     WallAction act;
     double stiffest = 0;
     if (at.liquid > 0) addLiquidForces(x, at, inverseLatticeSum, act, stiffest);
-    addContactForces(x, at, nullptr, act);
+    FrictionSpring friction(w.particles, i, 0, at.material.yields());
+    addContactForces(still, at, nullptr, act, friction.forContact());
     const Vec3d torque = cross(p.position[i] - touched.pose.move, act.force);
     for (int a = 0; a < 3; a++) {
       load.force[a].add(-act.force[a]);
@@ -282,16 +317,18 @@ void addSubstepContacts(const WallContext& x, std::vector<WallContact>& contacts
     const Material& m = w.scene.materials[p.material[i]];
     const double density = restDensityOf(p, w.scene.materials, i);
     WallAction act;
+    FrictionSpring friction(p, i, x.dt, m.yields());
     for (; c < contacts.size() && contacts[c].row == i; c++) {
       if (!followContact(p, w.scene, w.walls, contacts[c])) continue;
       const Wall& wall = w.walls.list[contacts[c].wall];
       const Vec3d v = wallVelocity(wall, p.position[i]), before = act.force;
-      addContactForces(x,
-                       {contacts[c], wall.properties, m, density, i, liquidFraction(p, i),
-                        p.mass[i] / density, p.velocity[i] - v},
-                       &p, act);
+      friction.note(addContactForces(x,
+                                     {contacts[c], wall.properties, m, density, i, liquidFraction(p, i),
+                                      p.mass[i] / density, p.velocity[i] - v},
+                                     &p, act, friction.forContact()));
       if (!wall.properties.motion.empty()) w.ledger.wallWork.add(dot(act.force - before, v) * x.dt);
     }
+    friction.store();
     Vec3d& force = w.solids.force[p.slot[i]];
     force += act.force;
     const Vec3d half = p.clamped.active && p.clamped[i] ? Vec3d{} : force * (0.5 * x.dt / p.mass[i]);

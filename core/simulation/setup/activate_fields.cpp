@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/simulation/setup/activate_fields.hpp"
 
+#include <algorithm>
+
 #include "core/scene/tension_form.hpp"
 #include "core/simulation/body_types/redistribute.hpp"
 #include "core/simulation/setup/initial_fill.hpp"
@@ -13,6 +15,11 @@ namespace {
 void turnOn(Continuum& p, bool needed, std::initializer_list<AnyColumn*> columns) {
   if (needed)
     for (AnyColumn* c : columns) p.activate(*c);
+}
+
+bool anyFriction(const Walls& walls) {
+  return std::any_of(walls.list.begin(), walls.list.end(),
+                     [](const Wall& w) { return w.properties.friction > 0; });
 }
 
 void activateFluid(Continuum& p, const Modules& m) {
@@ -82,6 +89,8 @@ void activateFields(World& w, StepTools& t) {
   turnOn(p, m.solid, {&p.slot});
   turnOn(p, m.substeps, {&p.fastAcceleration});
   turnOn(p, m.freezing, {&p.contactOffset});
+  turnOn(p, m.elastic && anyFriction(w.walls), {&p.wallShear});
+  turnOn(p, m.elastic && !w.walls.list.empty(), {&p.contactDepth, &p.wallOffset});
   turnOn(p, m.bodyContact, {&p.contactDepth, &p.contactRest, &p.contactShear, &p.bodyContact});
   if (m.rigid) activatePieceFields(w);
   turnOn(p, m.sleep, {&p.restTime, &p.sleep, &p.constraintForce});

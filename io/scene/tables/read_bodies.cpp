@@ -94,9 +94,8 @@ void readObstacle(TableReader& r, Obstacle& o, SceneReading& x) {
   r.number("conductance", o.conductance, "W/(m^2 K)", orNever(positive()),
            "heat conductance of the contact; \"never\": no resistance");
   r.number("friction", o.friction, "", between(0, 10),
-           "Coulomb friction on solids. Below the Coulomb limit it is a drag, with a coefficient of at most "
-           "sqrt(`young` * `spacing` * m) (kg/s) for a touching particle of mass m. Solids thus creep on a "
-           "slope, stiffer ones less");
+           "Coulomb friction on solids. Solids on a slope hold, or slide once the slope is steeper than "
+           "friction allows; materials with a `yield_strain` creep");
   r.number("restitution", o.restitution, "", between(0, 1),
            "restitution of solids that hit it: the smaller of this and the material's applies, so set both "
            "for a value above 0.5");

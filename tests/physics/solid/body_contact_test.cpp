@@ -85,9 +85,9 @@ TEST(BodyContact, ABlockOnAnInclineSlides) {
   EXPECT_LT(std::abs(ledger.energyResidual), 1e-3 * ledger.dissipated);
 }
 
-// The height of the ball, with R / dx = 5, changes by a tenth of a spacing as it rolls.
-TEST(BodyContact, ABallRollsOnASlab) {
-  Scene s = slabScene(0.6, 0.86);
+/// A ball of R / dx = 5 rolls down a slope of 5 degrees. Its height changes by a tenth of a spacing as it
+/// rolls.
+void expectRolling(Scene& s) {
   Body& ball = test::addBox(s, {}, {});
   ball.shape.kind = ShapeKind::Sphere;
   ball.shape.radius = 0.1;
@@ -97,6 +97,32 @@ TEST(BodyContact, ABallRollsOnASlab) {
   ASSERT_TRUE(r.run());
   const double exact = 0.5 * 5.0 / 7 * s.domain.gravity.x * 0.25;
   EXPECT_NEAR(middleOf(r).position.x, exact, 0.2 * exact);
+}
+
+TEST(BodyContact, ABallRollsOnASlab) {
+  Scene s = slabScene(0.6, 0.86);
+  expectRolling(s);
+}
+
+TEST(BodyContact, ABallRollsOnAnObstacle) {
+  Scene s = slabScene(0.6, 0.86);
+  s.bodies.clear();
+  test::addFloor(s).friction = 0.6;
+  expectRolling(s);
+}
+
+TEST(BodyContact, ABlockOnAnInclinedObstacleHolds) {
+  Scene s = slabScene(0.3, 2);
+  s.bodies.clear();
+  test::addFloor(s).friction = 0.3;
+  addBlock(s);
+  s.end = 0.15;
+  Simulation r(s);
+  ASSERT_TRUE(r.run());
+  const double settled = middleOf(r).position.x;
+  r.w.clock.end = 0.3;
+  ASSERT_TRUE(r.run());
+  EXPECT_NEAR(middleOf(r).position.x, settled, 1e-3 * dx);
 }
 
 }  // namespace
