@@ -3,22 +3,19 @@
 
 #include <algorithm>
 
-#include "core/neighbours/rows_around.hpp"
-
 namespace thaw {
 namespace {
 
 /// Outward direction of the body's surface at a particle, not normalised.
-Vec3d outward(const WallView& w, std::uint32_t i, std::span<const RowSpan> around) {
-  const Continuum& p = w.particles;
+Vec3d outward(const WallView& w, const Bonds& bonds, std::uint32_t slot) {
+  const Column<Vec3d>& x = w.solids.position;
   const double h2 = w.grid.support * w.grid.support;
   Vec3d sum{};
-  for (const RowSpan& rows : around)
-    for (std::uint32_t j = rows.begin; j < rows.end; j++) {
-      if (p.body[j] != p.body[i] || p.phase[j] != Solid) continue;
-      const Vec3d d = exactDifference(w.grid, p.position[i], p.position[j]);
-      sum += d * std::max(0.0, 1 - dot(d, d) / h2);
-    }
+  for (int k = 0; k < bonds.capacity; k++) {
+    if (!bonds.hasBond(slot, k)) continue;
+    const Vec3d d = exactDifference(w.grid, x[slot], x[bonds.neighbour[bonds.at(slot, k)]]);
+    sum += d * std::max(0.0, 1 - dot(d, d) / h2);
+  }
   return sum;
 }
 
@@ -31,14 +28,13 @@ double facingShare(double cosine) {
 }
 
 /// Offset (spacings) of a solid whose contact with a wall begins.
-double offsetOf(const WallView& w, const WallContact& contact, std::vector<RowSpan>& around) {
+double offsetOf(const WallView& w, const Bonds& bonds, const WallContact& contact) {
   const Continuum& p = w.particles;
   const std::uint32_t i = contact.row;
   const double depth = static_cast<double>(p.contactDepth[i]);
-  if (!(depth > 0 && depth < longestSpring) || p.phase[i] != Solid) return longestSpring;
+  if (!(depth > 0 && depth < longestSpring) || p.slot[i] == noSlot) return longestSpring;
   if (w.scene.materials[p.material[i]].yields()) return longestSpring;
-  rowsAround(w.cells, cellKey(cellOf(w.grid, p.position[i])), around);
-  const Vec3d out = outward(w, i, around);
+  const Vec3d out = outward(w, bonds, p.slot[i]);
   const double size = length(out);
   if (!(size > 0)) return longestSpring;
   return longestSpring + (depth - longestSpring) * facingShare(-dot(out, contact.normal) / size);
@@ -46,17 +42,16 @@ double offsetOf(const WallView& w, const WallContact& contact, std::vector<RowSp
 
 }  // namespace
 
-void findWallOffsets(const WallContext& x, const WallContacts& contacts) {
+void findWallOffsets(const WallContext& x, const WallContacts& contacts, const Bonds& bonds) {
   const WallView& w = x.world;
   Continuum& p = w.particles;
-  std::vector<RowSpan> around;
   for (auto c = contacts.list.begin(); c != contacts.list.end();) {
     const WallContact* nearest = &*c;
     for (; c != contacts.list.end() && c->row == nearest->row; ++c)
       if (c->distance < nearest->distance) nearest = &*c;
     float& offset = p.wallOffset[nearest->row];
     if (nearest->distance >= longestSpring * w.scene.spacing) offset = 0;
-    else if (offset == 0) offset = static_cast<float>(offsetOf(w, *nearest, around));
+    else if (offset == 0) offset = static_cast<float>(offsetOf(w, bonds, *nearest));
   }
 }
 
