@@ -46,12 +46,13 @@ void findContactNormals(const PairSums& sums, std::size_t rows, Continuum& p, Co
   resizeRecords(sums.precision, rows, work.ends);
   resizeRecords(sums.precision, rows, work.faces);
   packEnds(sums.precision, p, work);
-  contactHeatKernels()->normals(sums, {work.ends.data(), nullptr, p.contactNormal.data()},
+  contactHeatKernels()->normals(sums, {work.ends.data(), nullptr, p.contactNormal.data(), 1},
                                 {0, sums.lists->groups});
 }
 
 void packContactFaces(const Scene& s, const Continuum& p, std::size_t begin, std::size_t end,
                       ContactHeatWork& work) {
+  work.spacing = s.spacing;
   withValues(s.numerics.precision, work.faces, [&]<class Real>(Real* to) {
     to += 4 * begin;
     for (std::size_t i = begin; i < end; i++, to += 4) {
@@ -64,7 +65,7 @@ void packContactFaces(const Scene& s, const Continuum& p, std::size_t begin, std
 }
 
 void addContactHeat(const PairSums& sums, const ContactHeatWork& work, GroupRange range) {
-  contactHeatKernels()->heat(sums, {work.ends.data(), work.faces.data(), nullptr}, range);
+  contactHeatKernels()->heat(sums, {work.ends.data(), work.faces.data(), nullptr, work.spacing}, range);
 }
 
 }  // namespace thaw

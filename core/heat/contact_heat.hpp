@@ -16,12 +16,14 @@ namespace thaw {
 struct ContactHeatWork {
   AlignedVector<std::byte> ends;   ///< body; 1 if liquid, else 0
   AlignedVector<std::byte> faces;  ///< Continuum::contactNormal; resistance of its material (m^2 K/W)
+  double spacing = 1;              ///< m
 };
 
 /// Input and output of the sums besides PairSums.
 struct ContactHeatSums {
   const void *ends = nullptr, *faces = nullptr;
   Vec3f* normal = nullptr;  ///< 1, overwritten
+  double spacing = 1;       ///< m
 };
 
 struct ContactHeatKernels {
@@ -42,6 +44,10 @@ void findContactNormals(const PairSums& sums, std::size_t rows, Continuum& parti
 /// Packs the normals and resistances of rows [begin, end).
 void packContactFaces(const Scene& scene, const Continuum& particles, std::size_t begin, std::size_t end,
                       ContactHeatWork& work);
+
+/// Distances along the normal in spacings: pairs closer than `touching` are in contact, and pairs farther
+/// than `apart` exchange no heat. Particles that touch are a spacing apart; contacts start at 1.1.
+inline constexpr double touching = 1.2, apart = 1.5;
 
 /// Corrects heatFlow for the contacts of these groups, after the conduction sum. A pair has the larger of the
 /// two resistances. Both ends compute the same flow with opposite sign.

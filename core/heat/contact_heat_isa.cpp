@@ -59,6 +59,7 @@ template<class Real, class Kernel> struct ContactHeat {
   double* heatFlow;
   double scale;
   L perSupport;  // 1/m
+  L spacings;    // per support radius
   static constexpr double unit = lengthUnit<Real>;
   struct Data {
     Lanes4<Real> positionVolume, pressurePhaseHeat, ends, faces;
@@ -89,7 +90,8 @@ template<class Real, class Kernel> struct ContactHeat {
     const L ki = i.pressurePhaseHeat.d, kj = j.pressurePhaseHeat.d,
             k = L(2.0) * ki * kj / max(ki + kj, L(1e-30));
     const L z = across(i, j, L(unit) * dx, L(unit) * dy, L(unit) * dz, L(unit * unit) * r2);
-    const L factor = z / (z + k * max(i.faces.d, j.faces.d) * perSupport);
+    const L near = min(max((L(apart) - spacings * z) * L(1 / (apart - touching)), L(0.0)), L(1.0)),
+            factor = near * z / (z + k * max(i.faces.d, j.faces.d) * perSupport);
     const auto contact = inContact<Real>(i.ends, j.ends);
     s.heat += wide(select(contact, factor * joined, L(0.0)));
     s.heat -= wide(select(contact, joined, L(0.0)));
@@ -114,7 +116,8 @@ void heatWith(const PairSums& in, const ContactHeatSums& out, GroupRange range) 
                                  records<Real>(out.faces),
                                  in.heatFlow,
                                  in.conductionScale * in.support,
-                                 Lanes<Real>(1 / in.support)};
+                                 Lanes<Real>(1 / in.support),
+                                 Lanes<Real>(in.support / out.spacing)};
   sweep(*in.lists, range, term, Groups::All);
 }
 

@@ -31,6 +31,25 @@ double surfaceConductance(const Material& m, double T, double ambient) {
   return m.convection + m.emissivity * stefanBoltzmann * (ambient * ambient + T * T) * (ambient + T);
 }
 
+/// The coefficient for the difference between a particle's temperature T and the ambient one. The surface is
+/// half a spacing from the particle and cooler: k (T - T_surface) / (dx / 2) is the heat lost (CJ59 1.9).
+/// Particles without conductivity have one temperature, up to their surface.
+double particleConductance(const Scene& s, const Material& m, double f, double T) {
+  const double ambient = s.domain.ambient, inner = 2 * conductivityOf(s.numerics.heat, m, f) / s.spacing;
+  if (!(inner > 0)) return surfaceConductance(m, T, ambient);
+  double surface = T;
+  for (int n = 0; n < 5 && m.emissivity > 0; n++)  // Newton's method
+    surface += (inner * (T - surface) - surfaceConductance(m, surface, ambient) * (surface - ambient)) /
+               (inner + m.convection + 4 * m.emissivity * stefanBoltzmann * surface * surface * surface);
+  const double outer = surfaceConductance(m, surface, ambient);
+  return inner * outer / (inner + outer);
+}
+
+/// Share of a particle's heat above the ambient temperature that it loses in a step, given that share at the
+/// rate of the step's start. It is equal up to third order, since conduction replaces the heat meanwhile, and
+/// below 1, so that losses do not overshoot.
+double boundedShare(double share) { return -std::expm1(-share * (1 + 0.5 * share)); }
+
 /// Heat that a particle still has to absorb for a thermostat's temperature (J/kg).
 double missingHeat(const Scene& s, const Material& m, const Continuum& p, std::size_t i, double T) {
   return ledgerEnthalpy(s.numerics.heat, m, T, p.liquid.active ? static_cast<double>(p.liquid[i]) : 0) -
@@ -64,12 +83,6 @@ void setPhase(const Scene& s, const Modules& modules, Continuum& p, std::size_t 
   }
 }
 
-double exposedArea(double freeSurfaceIndicator, double flatSurfaceIndicator) {
-  const double share = freeSurfaceIndicator / flatSurfaceIndicator;  // relative to a flat surface, whose
-                                                                     // value depends on the support
-  return share * std::clamp((share - 0.5) / 0.3, 0.0, 1.0);
-}
-
 double flatLatticeIndicator(const Numerics& n) {
   return 2 / n.support * wallIntegrals(n, 0.5 / n.support).push;
 }
@@ -79,20 +92,18 @@ void addOuterHeat(const HeatView& w, double dt, const std::vector<std::uint8_t>*
   const Scene& s = w.scene;
   const auto heats = [](const Material& m) { return m.heatSource != 0; };
   if (!w.modules.surfaceHeat && std::none_of(s.materials.begin(), s.materials.end(), heats)) return;
-  const double face = s.spacing * s.spacing,
-               flat = w.modules.surfaceHeat ? flatLatticeIndicator(s.numerics) : 1;
+  const double face = s.spacing * s.spacing;
   for (std::size_t i = 0; i < p.owned; i++) {
     if (steady && (*steady)[i]) continue;
     const Material& m = s.materials[p.material[i]];
     double flow = m.heatSource * p.mass[i];
     if (w.modules.surfaceHeat && (m.convection > 0 || m.emissivity > 0)) {
-      const double area = face * exposedArea(static_cast<double>(p.freeSurfaceIndicator[i]), flat);
-      const double T = p.temperature[i], conductance = area * surfaceConductance(m, T, s.domain.ambient);
-      const double f = p.liquid.active ? static_cast<double>(p.liquid[i]) : restFraction(m);
-      const double rate = conductance / (p.mass[i] * heatCapacityOf(s.numerics.heat, m, f));
-      // Averaged over the step, so it cannot overshoot the ambient temperature.
-      flow += conductance * (s.domain.ambient - T) *
-              (rate * dt > 1e-8 ? -std::expm1(-rate * dt) / (rate * dt) : 1);
+      const double area = face * static_cast<double>(p.exposedArea[i]);
+      const double T = p.temperature[i],
+                   f = p.liquid.active ? static_cast<double>(p.liquid[i]) : restFraction(m);
+      const double conductance = area > 0 ? area * particleConductance(s, m, f, T) : 0;
+      const double share = conductance * dt / (p.mass[i] * heatCapacityOf(s.numerics.heat, m, f));
+      flow += conductance * (s.domain.ambient - T) * (share > 1e-8 ? boundedShare(share) / share : 1);
     }
     if (flow == 0) continue;
     p.heatFlow[i] += flow;

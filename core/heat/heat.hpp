@@ -17,18 +17,13 @@ void setPhase(const Scene& scene, const Modules& modules, Continuum& particles, 
               std::size_t end);
 
 /// Adds heat sources and losses at free surfaces (convection, Stefan-Boltzmann radiation) to heatFlow; area =
-/// spacing^2 * exposedArea. The heat gained over dt (s) is recorded in Ledger::heatIn. Rows with skipped sums
-/// (WallContext::steady) are left out.
+/// spacing^2 * Continuum::exposedArea. The heat gained over dt (s) is recorded in Ledger::heatIn.
+/// Rows with skipped sums (WallContext::steady) are left out.
 void addOuterHeat(const HeatView& view, double dt, const std::vector<std::uint8_t>* steady = nullptr);
 
 /// Adds the heat of the scene's thermostats for the step of length dt (s) that begins now, and records it in
 /// Ledger::heatIn.
 void addThermostats(const HeatView& view, double dt);
-
-/// Returns the free-surface area of a particle in units of spacing^2, from its free-surface indicator: 1 for
-/// a flat lattice surface. Below half of the flat value it is 0, since disorder alone gives such values
-/// inside a liquid: 0.4 for jitter of 0.15 spacings at h = 2.
-double exposedArea(double freeSurfaceIndicator, double flatSurfaceIndicator);
 
 /// Free-surface indicator of the outermost particles of a flat lattice surface.
 double flatLatticeIndicator(const Numerics& numerics);

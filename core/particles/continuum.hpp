@@ -112,6 +112,10 @@ struct Continuum : Table {
       "0 at the solidus; at 0 K for materials that do not melt"};
   Column<double> temperature{*this, "temperature", "K", Keep::State,
       "function of the enthalpy; a state variable of its own in the paper's heat model"};
+  Column<float> conductionCorrection{*this, "conductionCorrection", "1", Keep::State,
+      "factor of the conductivity minus 1 (core/heat/conduction_correction.hpp)"};
+  Column<float> exposedArea{*this, "exposedArea", "1", Keep::Transient,
+      "area of the free surface in units of spacing^2 (core/heat/exposed_area.hpp)"};
   Column<float> absorbed{*this, "absorbed", "W", Keep::State,
       "power of lamps, lasers and heated regions into the particle", Rows::Owned};
   Column<Vec3f> contactNormal{*this, "contactNormal", "1", Keep::Transient,

@@ -342,12 +342,8 @@ void addWallHeat(const WallContext& x, const WallContacts& contacts) {
   Continuum& p = w.particles;
   const double h = w.grid.support;
   const HeatModel model = w.scene.numerics.heat;
-  const double coveredScale = 2 * w.scene.spacing / h;
   for (const WallContact& c : contacts.list) {
     const WallIntegrals t = x.tables(c.distance / h);
-    if (p.freeSurfaceIndicator.active)
-      p.freeSurfaceIndicator[c.row] = static_cast<float>(std::max(
-          0.0, static_cast<double>(p.freeSurfaceIndicator[c.row]) - coveredScale * t.push * c.share));
     const Obstacle& o = w.walls.list[c.wall].properties;
     if (!o.temperature || x.sleeps(c.row)) continue;
     const Material& m = w.scene.materials[p.material[c.row]];

@@ -95,6 +95,24 @@ TEST(ContactHeat, PerfectContactHasTheBitsOfOneBody) {
     EXPECT_NEAR(with.particles().temperature[i], without.particles().temperature[i], 1e-10);
 }
 
+TEST(ContactHeat, DoesNotCrossAGap) {
+  for (const double gap : {0.1, 0.5}) {  // spacings
+    Scene s = slabs(1e6);
+    s.obstacles.clear();
+    for (Body& b : s.bodies) b.clamp = {};
+    s.bodies[1].shape.move.z += gap * dx;
+    s.end = 4;
+    Simulation run(s);
+    ASSERT_TRUE(run.run());
+    const Continuum& p = run.particles();
+    double warmest = 0;
+    for (std::size_t i = 0; i < p.owned; i++)
+      if (p.body[i] == 1) warmest = std::max(warmest, p.temperature[i]);
+    if (gap < 0.2) EXPECT_GT(warmest, 320);
+    else EXPECT_EQ(warmest, 300);
+  }
+}
+
 TEST(ContactHeat, LiquidsOfTwoBodiesHaveNoResistance) {
   Scene s = slabs(1);
   for (Material& m : s.materials) m.young = {}, m.viscosity = {1, 1}, m.soundSpeed = 0.01;

@@ -91,7 +91,7 @@ TEST(Fields, ForcesAreSeparateWhereNecessary) {
   }
 }
 
-TEST(Fields, HeatAddsThree) {
+TEST(Fields, HeatAddsItsOwn) {
   Scene s = block(false);
   s.materials[0].conductivity = {1, 1};
   s.bodies[0].temperatureGradient = {1, 0, 0};
@@ -99,7 +99,7 @@ TEST(Fields, HeatAddsThree) {
             (Names{"continuum.enthalpy", "continuum.temperature", "continuum.heatFlow"}));
   Scene lossy = s;
   lossy.materials[0].convection = 1;
-  EXPECT_EQ(added(lossy, s), (Names{"continuum.freeSurfaceIndicator"}));
+  EXPECT_EQ(added(lossy, s), (Names{"continuum.conductionCorrection", "continuum.exposedArea"}));
 }
 
 TEST(Fields, CohesionAndArtificialViscosityAddNone) {
@@ -147,8 +147,9 @@ TEST(Fields, MeltingAddsItsOwn) {
   s.bodies[0].temperatureGradient = {1, 0, 0};
   EXPECT_EQ(added(s, block(true)),
             (Names{"continuum.relativeDensity", "continuum.enthalpy", "continuum.temperature",
-                   "continuum.liquid", "continuum.frame", "continuum.justFrozen", "continuum.contactOffset",
-                   "continuum.heatFlow", "continuum.softening", "solid.liquid", "solid.melted"}));
+                   "continuum.conductionCorrection", "continuum.liquid", "continuum.frame",
+                   "continuum.justFrozen", "continuum.contactOffset", "continuum.heatFlow",
+                   "continuum.softening", "solid.liquid", "solid.melted"}));
 }
 
 TEST(Fields, SurfaceAddsTwoToParticlesAndItsOwnTables) {

@@ -162,7 +162,8 @@ void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::
     if (!r.pressurePhaseHeat.empty())
       rows<Real>(r.pressurePhaseHeat)[i] = {
           carried ? static_cast<Real>(p.compression[i] * (x.liquids[k].stiffness / stiffness)) : Real(0),
-          static_cast<Real>(wet), static_cast<Real>(T), static_cast<Real>(local.conductivity)};
+          static_cast<Real>(wet), static_cast<Real>(T),
+          static_cast<Real>(local.conductivity * factorOf(p.conductionCorrection, i))};
     if (surface)
       rows<Real>(r.surface)[i] = {
           static_cast<Real>(x.liquids[k].rootTension * f), Real(p.phase[i] == Solid),

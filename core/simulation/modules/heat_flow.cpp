@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/heat/contact_heat.hpp"
+#include "core/heat/cover_areas.hpp"
 #include "core/heat/heat.hpp"
 #include "core/simulation/modules/step_modules.hpp"
 #include "core/simulation/step_context.hpp"
@@ -11,9 +12,24 @@ namespace thaw {
 StepModule heatFlow() {
   return {"heat",
           [](const World& w, const StepTools&) { return w.modules.heat; },
-          {{ModulePhase::AllForces, [](StepContext& c) { addWallHeat(c.walls, c.t.wallContacts); }},
+          {{ModulePhase::AllForces,
+            [](StepContext& c) {
+              if (c.w.modules.surfaceHeat) coverAreas(c.walls.world, c.t.wallContacts);
+              addWallHeat(c.walls, c.t.wallContacts);
+            }},
            {ModulePhase::PhaseChange, [](StepContext& c) {
               updateHeat(heatView(c.w), c.dt);  // H += heat dt, T and liquid fraction follow
+            }}}};
+}
+
+StepModule conductionCorrection() {
+  constexpr std::int64_t everySteps = 8;  // surfaces move by much less than a spacing meanwhile
+  return {"corrected conduction",
+          [](const World& w, const StepTools&) { return w.particles.conductionCorrection.active; },
+          {{ModulePhase::AllForces, [](StepContext& c) {
+              if (c.dt != 0 && (c.w.clock.step + 1) % everySteps != 0) return;
+              correctConduction(pairSumsOf(c.w, c.t), c.w.scene.numerics, c.t.wallContacts, c.w.particles,
+                                c.t.conduction);  // for the next step
             }}}};
 }
 

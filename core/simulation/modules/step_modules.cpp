@@ -17,6 +17,7 @@ std::vector<StepModule> stepModules() {
           implicitViscosity(),
           heatFlow(),  // before melting: phases follow from the new temperatures
           heatExchange(),
+          conductionCorrection(),
           contactConductance(),
           evaporation(),
           heatSources(),

@@ -34,6 +34,7 @@ StepModule densityMonitor();
 StepModule implicitViscosity();
 StepModule heatFlow();
 StepModule heatExchange();
+StepModule conductionCorrection();
 StepModule contactConductance();
 StepModule evaporation();
 StepModule heatSources();

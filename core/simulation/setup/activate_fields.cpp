@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/heat/conduction_correction.hpp"
 #include "core/scene/tension_form.hpp"
 #include "core/simulation/body_types/redistribute.hpp"
 #include "core/simulation/setup/initial_fill.hpp"
@@ -45,14 +46,15 @@ void activateFluid(Continuum& p, const Modules& m) {
   turnOn(p, m.phaseDensity, {&p.restDensity});
 }
 
-void activateHeat(Continuum& p, const Modules& m) {
+void activateHeat(Continuum& p, const Scene& s, const Modules& m) {
   turnOn(p, m.heat, {&p.enthalpy, &p.temperature, &p.heatFlow});
+  turnOn(p, correctsConduction(s, m), {&p.conductionCorrection});
   turnOn(p, m.lamps, {&p.absorbed});
   turnOn(p, m.contactConductance, {&p.contactNormal});
   turnOn(p, m.evaporation, {&p.freeSurfaceIndicator, &p.exposure, &p.vapour, &p.vapourEnergy});
   turnOn(p, m.mushDrag, {&p.mushRate, &p.solidVelocity});
   turnOn(p, m.melting, {&p.liquid, &p.softening});
-  turnOn(p, m.surfaceHeat, {&p.freeSurfaceIndicator});
+  turnOn(p, m.surfaceHeat, {&p.exposedArea});
 }
 
 void activatePieceFields(World& w) {
@@ -81,7 +83,7 @@ void activateFields(World& w, StepTools& t) {
   const bool curvature = actsByCurvature(w.scene.numerics, m), pairTension = m.tension && !curvature;
   turnOn(p, curvature, {&p.surfaceGradient, &p.surfaceColour, &p.setLabel});
   turnOn(p, m.shifting && m.continuity && (pairTension || !t.pairForces.empty()), {&p.positionForce});
-  activateHeat(p, m);
+  activateHeat(p, w.scene, m);
   turnOn(p, m.surface, {&p.surfacePosition, &p.component});
   turnOn(p, m.surface && m.solid, {&p.surfaceStartPosition});
   turnOn(p, m.surface && w.scene.surface.keepVolume > 0, {&p.surfaceVolumeRatio});
@@ -95,8 +97,8 @@ void activateFields(World& w, StepTools& t) {
   if (m.rigid) activatePieceFields(w);
   turnOn(p, m.sleep, {&p.restTime, &p.sleep, &p.constraintForce});
   if (m.sleep)  // values of skipped rows persist and move with their rows
-    for (AnyColumn* c :
-         std::initializer_list<AnyColumn*>{&p.relativeDensity, &p.freeSurfaceIndicator, &p.contactNormal})
+    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.relativeDensity, &p.freeSurfaceIndicator,
+                                                          &p.exposedArea, &p.contactNormal})
       c->keep = Keep::Local;
   bool clamped = m.emitters;
   for (const Body& b : w.scene.bodies) clamped = clamped || !b.clamp.empty();

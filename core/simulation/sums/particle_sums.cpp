@@ -13,6 +13,7 @@
 #include "core/flow/incompressible/pressure_solver.hpp"
 #include "core/flow/rheology/apparent_viscosity.hpp"
 #include "core/halo/exchange.hpp"
+#include "core/heat/exposed_area.hpp"
 #include "core/heat/heat.hpp"
 #include "core/materials/enthalpy.hpp"
 #include "core/math/hash_random.hpp"
@@ -39,6 +40,7 @@ ColumnList ghostColumns(World& w) {
   if (p.atSurface.active) c.push_back(&p.atSurface);
   if (w.modules.bodyContact) c.push_back(&p.contactDepth);
   if (p.viscosityCorrection.active) c.push_back(&p.viscosityCorrection);
+  if (p.conductionCorrection.active) c.push_back(&p.conductionCorrection);
   if ((w.modules.incompressible || p.relief.active || carriedPaths) && p.clamped.active)
     c.push_back(&p.clamped);
   if (w.modules.sleep) c.push_back(&p.restTime);
@@ -228,7 +230,7 @@ void sumForces(World& w, StepTools& t, NeighbourPass pass, GroupRange range) {
                                                                         : s,
                              range);
   }
-  if (w.modules.surfaceHeat) t.kernels->freeSurfaceIndicator(s, range);
+  if (w.modules.surfaceHeat) findExposedAreas(s, w.scene.numerics, p.exposedArea.data(), range);
   if (w.modules.contact) {
     if (pass == NeighbourPass::InnerForces) t.closePairs.list.clear();
     t.kernels->closePairs(s, range, t.closePairs);

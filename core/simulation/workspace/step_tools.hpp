@@ -21,6 +21,7 @@
 #include "core/fluid/pair_sums/records.hpp"
 #include "core/geometry/basic/signed_distance.hpp"
 #include "core/halo/halo.hpp"
+#include "core/heat/conduction_correction.hpp"
 #include "core/heat/contact_heat.hpp"
 #include "core/kernels/viscous_weight.hpp"
 #include "core/ledger/leaver.hpp"
@@ -81,6 +82,7 @@ struct StepTools {
   SleepWork sleep;
   RigidWork rigid;
   ContactHeatWork contactHeat;
+  ConductionWork conduction;
   std::vector<BondRequest> requests;
   std::vector<std::uint32_t> rebonded;  ///< rows of particles with new bonds
   std::vector<OutsideSource> outside;   ///< with Continuum::outsideForce

@@ -199,21 +199,59 @@ TEST(Heat, SurfacesFollowNewtonsAndStefansLaws) {
   Material m = wax();
   m.convection = 20;
   m.emissivity = 0.9;
+  m.conductivity = {};  // one temperature, up to the surface
   Lump l(m, 600);
   l.w.modules.surfaceHeat = true;
   l.w.scene.spacing = 0.05;
   l.w.scene.domain.ambient = 300;
-  l.p().freeSurfaceIndicator[0] = static_cast<float>(flatLatticeIndicator(l.w.scene.numerics));
+  l.p().exposedArea[0] = 1;
   l.p().heatFlow[0] = 0;
   addOuterHeat(heatView(l.w), 1e-6);
   const double expected = 0.05 * 0.05 *
                           (20 * (300 - 600.0) + 0.9 * 5.670374419e-8 * (std::pow(300, 4) - std::pow(600, 4)));
   EXPECT_NEAR(l.p().heatFlow[0], expected, 1e-6 * std::abs(expected));
   EXPECT_NEAR(l.w.ledger.heatIn.value(), expected * 1e-6, 1e-12 * std::abs(expected));
-  l.p().freeSurfaceIndicator[0] = 0.4f;  // noise inside a liquid is no surface
+  l.p().exposedArea[0] = 0;
   l.p().heatFlow[0] = 0;
   addOuterHeat(heatView(l.w), 1);
   EXPECT_EQ(l.p().heatFlow[0], 0);
+}
+
+// The surface lies half a spacing from the particle. Conduction to it equals the heat lost there.
+TEST(Heat, SurfacesAreCoolerThanTheirParticles) {
+  for (const double conductivity : {0.1, 1.0, 1000.0})
+    for (const double ambient : {300.0, 900.0}) {
+      Material m = wax();
+      m.convection = 20;
+      m.emissivity = 0.9;
+      m.conductivity = {conductivity, conductivity};
+      Lump l(m, 600);
+      l.w.modules.surfaceHeat = true;
+      l.w.scene.spacing = 0.05;
+      l.w.scene.domain.ambient = ambient;
+      l.p().exposedArea[0] = 1;
+      l.p().heatFlow[0] = 0;
+      addOuterHeat(heatView(l.w), 1e-6);
+      const double flux = l.p().heatFlow[0] / (0.05 * 0.05), surface = 600 + flux * 0.025 / conductivity;
+      const double expected = 20 * (ambient - surface) +
+                              0.9 * 5.670374419e-8 * (std::pow(ambient, 4) - std::pow(surface, 4));
+      EXPECT_NEAR(flux, expected, 1e-6 * std::abs(expected)) << conductivity << ' ' << ambient;
+    }
+}
+
+// Conduction replaces the heat of surface particles in a step, so their losses do not decay in it.
+TEST(Heat, LossesKeepTheirRateInAStep) {
+  Material m;
+  m.convection = 100;
+  m.heatCapacity = {500, 500};
+  Lump l(m, 400);
+  l.w.modules.surfaceHeat = true;
+  l.w.scene.spacing = 1;
+  l.w.scene.domain.ambient = 300;
+  l.p().exposedArea[0] = 1;
+  l.p().heatFlow[0] = 0;
+  addOuterHeat(heatView(l.w), 1);  // a tenth of the heat, at this rate
+  EXPECT_NEAR(l.p().heatFlow[0] / (100 * -100.0), 1, 0.005);
 }
 
 // Cooling ends at the ambient temperature for any step.
@@ -224,7 +262,7 @@ TEST(Heat, SurfacesDoNotOvershoot) {
   Lump l(m, 1000);
   l.w.modules.surfaceHeat = true;
   l.w.scene.domain.ambient = 300;
-  l.p().freeSurfaceIndicator[0] = 1;
+  l.p().exposedArea[0] = 1;
   for (int k = 0; k < 50; k++) {
     l.p().heatFlow[0] = 0;
     addOuterHeat(heatView(l.w), 100);

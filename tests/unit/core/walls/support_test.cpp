@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/heat/cover_areas.hpp"
 #include "core/heat/heat.hpp"
 #include "tests/support/wall_rig.hpp"
 
@@ -157,9 +158,9 @@ TEST(WallHeat, SurfacesOnAWallAreNotExposed) {
   r.add(std::make_shared<Ground>());
   r.addParticle({0, 0, 0.05}, {}, Liquid);
   r.start();
-  r.w.particles.freeSurfaceIndicator[0] = static_cast<float>(flatLatticeIndicator(r.w.scene.numerics));
-  addWallHeat({wallView(r.w), r.tables, r.liquids, 1e-6, 1e-6}, r.contacts);
-  EXPECT_NEAR(r.w.particles.freeSurfaceIndicator[0], 0, 1e-4);
+  r.w.particles.exposedArea[0] = 1;
+  coverAreas(wallView(r.w), r.contacts);
+  EXPECT_NEAR(r.w.particles.exposedArea[0], 0, 1e-3);
 }
 
 }  // namespace thaw::test

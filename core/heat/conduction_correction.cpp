@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/heat/conduction_correction.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+#include "core/kernels/lattice.hpp"
+#include "core/kernels/with_kernel.hpp"
+#include "core/simd/choose.hpp"
+
+namespace thaw {
+
+THAW_CHOOSE(FreeSurfaceKernels, freeSurfaceKernelSet, freeSurfaceKernels)
+
+namespace {
+
+double largestEigenvalue(const Sym3d& s) {
+  Eigen::Matrix3d m;
+  m << s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz;
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(m, Eigen::EigenvaluesOnly).eigenvalues()[2];
+}
+
+}  // namespace
+
+LatticeConduction latticeConduction(const Numerics& n) {
+  return withKernel(n.kernel, [&](auto kernel) {
+    LatticeConduction sum;
+    const int steps = static_cast<int>(n.support);
+    const double spacing = 1 / n.support, volume = spacing * spacing * spacing;
+    for (int x = -steps; x <= steps; x++)
+      for (int y = -steps; y <= steps; y++)
+        for (int z = -steps; z <= steps; z++) {
+          const double q2 = (x * x + y * y + z * z) * spacing * spacing;
+          if (q2 == 0 || q2 >= 1) continue;
+          const double w = volume * kernel.laplace(q2), along = w * x * x * spacing * spacing;
+          sum.weight += w;
+          sum.moment += along;
+        }
+    return sum;
+  });
+}
+
+bool correctsConduction(const Scene& s, const Modules& m) {
+  const auto conducts = [](const Material& x) {
+    return x.conductivity.solid > 0 || x.conductivity.liquid > 0;
+  };
+  return m.heat && m.neighbours && !m.uniform && conductionScale(s.numerics) != 1 &&
+         std::any_of(s.materials.begin(), s.materials.end(), conducts);
+}
+
+double conductionFactor(const LatticeConduction& lattice, const ConductionSums& sums) {
+  constexpr double inside = 0.96, most = 2;  // inside: of the trace on the lattice, since disorder varies it
+  const Sym3d moment = wide(sums.moment);
+  const double sum = trace(moment);
+  if (!(sum < inside * 3 * lattice.moment)) return 1;
+  const double largest = largestEigenvalue(moment), least = lattice.moment / most,
+               weight = std::max(static_cast<double>(sums.weight), lattice.weight / most);
+  return std::max(1.0, std::min(lattice.moment / std::max(largest, least), lattice.weight / weight));
+}
+
+void correctConduction(const PairSums& sums, const Numerics& n, const WallContacts& contacts, Continuum& p,
+                       ConductionWork& work) {
+  work.sums.assign(p.owned, {});
+  freeSurfaceKernels()->conduction(sums, work.sums.data(), {0, sums.lists->groups});
+  const LatticeConduction lattice = latticeConduction(n);
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (work.sums[i].weight >= 0)
+      p.conductionCorrection[i] = static_cast<float>(conductionFactor(lattice, work.sums[i]) - 1);
+  for (const WallContact& c : contacts.list)
+    if (c.distance * n.support < sums.support) p.conductionCorrection[c.row] = 0;
+}
+
+}  // namespace thaw

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "core/walls/wall_forces.hpp"
+
+namespace thaw {
+
+/// Subtracts from Continuum::exposedArea the area that walls cover.
+void coverAreas(const WallView& world, const WallContacts& contacts);
+
+}  // namespace thaw
