@@ -107,7 +107,7 @@ Press pressOf(const ContactKernel& kernel, const BodySums& s, double rest) {
   return press;
 }
 
-/// Friction of a particle, and what it does in the step.
+/// Friction of a particle, its stored energy and its loss.
 struct Friction {
   SpringFriction force;
   double energy = 0, lost = 0;  ///< J, W

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact of solids of different bodies. Each solid particle counts the particles of other bodies around it,
+// Contact of solids of different bodies. Each solid particle has a sum over the particles of other bodies,
 // weighted with a kernel that is wide enough to smooth their lattice. It is pressed where the sum exceeds the
 // one at a spacing from a flat surface:
 //
@@ -9,8 +9,8 @@
 // k_ij per pair of facing particles. The share s of a particle is 1 half a spacing below the surface of its
 // body, and less above (Continuum::contactDepth), so that faces touch where the surfaces of the bodies meet.
 // These forces are central: energy, momentum and angular momentum are conserved. Friction is a spring along
-// the surface (CS79), whose displacement is part of the state. It follows Coulomb's law, and holds solids at
-// rest.
+// the surface (CS79), whose displacement is part of the state. It is limited by Coulomb's law, and includes
+// static friction.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -35,7 +35,7 @@ inline constexpr double weldDistance = 1.25;
 /// Kernel of the sum over other bodies, and its value at a flat surface of a cubic lattice.
 struct ContactKernel {
   /// Fraction of the radius where (1 - r^2 / radius^2)^6 is steepest. Nearer, the weight is linear, so that
-  /// particles in the same place part.
+  /// coincident particles separate.
   static constexpr double steepestAt = 0.30151134457776363;
   double radius = 0;        ///< m
   double touch = 0;         ///< 1, sum at one spacing from a flat surface

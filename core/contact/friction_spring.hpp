@@ -20,7 +20,7 @@ struct SpringFriction {
 
 /// Returns the friction at a face with the normal n for a spring that was moved to the displacement `moved`
 /// (m), and the relative velocity u (m/s). The spring slips where its force would exceed the bound; the
-/// dashpot uses what is left of it.
+/// dashpot is limited to the rest.
 inline SpringFriction springFriction(const FrictionLaw& law, const Vec3d& n, const Vec3d& moved,
                                      const Vec3d& u) {
   SpringFriction f;

@@ -49,7 +49,9 @@ bool correctsConduction(const Scene& s, const Modules& m) {
 }
 
 double conductionFactor(const LatticeConduction& lattice, const ConductionSums& sums) {
-  constexpr double inside = 0.96, most = 2;  // inside: of the trace on the lattice, since disorder varies it
+  constexpr double inside = 0.96;  // fraction of the lattice's trace above which the factor is 1; disorder
+                                   // lowers the trace
+  constexpr double most = 2;       // largest factor
   const Sym3d moment = wide(sums.moment);
   const double sum = trace(moment);
   if (!(sum < inside * 3 * lattice.moment)) return 1;
@@ -58,16 +60,18 @@ double conductionFactor(const LatticeConduction& lattice, const ConductionSums& 
   return std::max(1.0, std::min(lattice.moment / std::max(largest, least), lattice.weight / weight));
 }
 
-void correctConduction(const PairSums& sums, const Numerics& n, const WallContacts& contacts, Continuum& p,
+void correctConduction(const PairSums& sums, const WallContext& walls, const WallContacts& contacts,
                        ConductionWork& work) {
+  Continuum& p = walls.world.particles;
+  const Numerics& n = walls.world.scene.numerics;
   work.sums.assign(p.owned, {});
   freeSurfaceKernels()->conduction(sums, work.sums.data(), {0, sums.lists->groups});
   const LatticeConduction lattice = latticeConduction(n);
   for (std::size_t i = 0; i < p.owned; i++)
-    if (work.sums[i].weight >= 0)
+    if (work.sums[i].weight >= 0 && !walls.sleeps(i))
       p.conductionCorrection[i] = static_cast<float>(conductionFactor(lattice, work.sums[i]) - 1);
   for (const WallContact& c : contacts.list)
-    if (c.distance * n.support < sums.support) p.conductionCorrection[c.row] = 0;
+    if (c.distance * n.support < sums.support && !walls.sleeps(c.row)) p.conductionCorrection[c.row] = 0;
 }
 
 }  // namespace thaw

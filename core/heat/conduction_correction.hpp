@@ -7,7 +7,7 @@
 #include "core/heat/free_surface_sums.hpp"
 #include "core/particles/continuum.hpp"
 #include "core/scene/modules.hpp"
-#include "core/walls/walls.hpp"
+#include "core/walls/wall_forces.hpp"
 
 namespace thaw {
 
@@ -22,17 +22,17 @@ struct LatticeConduction {
 };
 LatticeConduction latticeConduction(const Numerics& numerics);
 
-/// Returns true if pairs conduct heat with the scale of the lattice and records have conductivities.
+/// Returns true if conduction is normalised and conductivities are per particle.
 bool correctsConduction(const Scene& scene, const Modules& modules);
 
 /// Returns the factor of a particle's conductivity with which its pairs conduct as much as a lattice along
-/// the direction in which most of them lie: along a surface, a rod. 1 inside, at most 2. The sum of its
-/// pairs' weights does not exceed that of the lattice, whose step is stable.
+/// the axis of their largest moment, such as along a surface or a rod. 1 inside, at most 2. Its product with
+/// the sum of the weights is at most the sum of the lattice, for which the step is stable.
 double conductionFactor(const LatticeConduction& lattice, const ConductionSums& sums);
 
-/// Sets Continuum::conductionCorrection of the particles in the lists. It is 0 within a
+/// Sets Continuum::conductionCorrection of the particles in the lists, except sleeping ones. It is 0 within a
 /// spacing of a wall, whose heat is scaled for the plain sum.
-void correctConduction(const PairSums& sums, const Numerics& numerics, const WallContacts& contacts,
-                       Continuum& particles, ConductionWork& work);
+void correctConduction(const PairSums& sums, const WallContext& walls, const WallContacts& contacts,
+                       ConductionWork& work);
 
 }  // namespace thaw

@@ -1,16 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/heat/cover_areas.hpp"
 
+#include <algorithm>
+
 #include "core/heat/exposed_area.hpp"
 
 namespace thaw {
+namespace {
+
+/// Share of an area that is not covered by another wall in the same direction as well. The faces of corners
+/// cover different areas.
+double shareBeside(double covered, double other, double aligned) {
+  return 1 - std::max(0.0, aligned) * other * other / std::max(covered * covered + other * other, 1e-30);
+}
+
+}  // namespace
 
 void coverAreas(const WallView& w, const WallContacts& contacts) {
   const ExposedAreaLaw law = exposedAreaLaw(w.scene.numerics);
-  for (const WallContact& c : contacts.list) {
-    const double covered = c.share * coveredArea(law, c.distance / w.scene.spacing);
-    float& area = w.particles.exposedArea[c.row];
-    if (covered > 0 && area > 0) area = static_cast<float>(clearArea(static_cast<double>(area) - covered));
+  const auto areaAt = [&](const WallContact& c) { return coveredArea(law, c.distance / w.scene.spacing); };
+  const auto end = contacts.list.end();
+  for (auto first = contacts.list.begin(), last = first; first != end; first = last) {
+    double covered = 0;
+    last = std::find_if(first, end, [&](const WallContact& c) { return c.row != first->row; });
+    float& area = w.particles.exposedArea[first->row];
+    for (auto c = first; area > 0 && c != last; ++c) {
+      double own = areaAt(*c);
+      for (auto other = first; own > 0 && other != last; ++other)
+        if (other != c) own *= shareBeside(areaAt(*c), areaAt(*other), alignment(c->normal, other->normal));
+      covered += own;
+    }
+    if (covered > 0) area = static_cast<float>(clearArea(std::max(0.0, static_cast<double>(area) - covered)));
   }
 }
 

@@ -13,7 +13,7 @@ struct ExposedAreaLaw {
   double full = 0;       ///< sum of the weights inside of the lattice
   double face = 0;       ///< weights that a particle of a flat face lacks
   double asymmetry = 0;  ///< length of the sum of weights times directions there
-  bool fitted = true;    ///< the reach is two spacings, for which the tables of areas are
+  bool fitted = true;    ///< the reach is two spacings; the area follows from fitted tables
   double log = 0;        ///< not fitted: chosen such that an edge has two faces
   double thin = 0;       ///< not fitted: chosen such that a plate of one layer has two faces
 };
@@ -26,7 +26,7 @@ double areaOf(const ExposedAreaLaw& law, double sum, double asymmetry);
 /// Returns the area that a flat wall covers, at a distance in spacings; 1 at half a spacing.
 double coveredArea(const ExposedAreaLaw& law, double distance);
 
-/// Returns an area without the values that disorder gives at walls.
+/// Returns 0 below an area of 0.18, and the area above 0.38: disorder gives small values at walls.
 double clearArea(double area);
 
 /// Sets `area` of the particles in the lists to areaOf.

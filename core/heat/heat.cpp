@@ -45,8 +45,8 @@ double particleConductance(const Scene& s, const Material& m, double f, double T
   return inner * outer / (inner + outer);
 }
 
-/// Share of a particle's heat above the ambient temperature that it loses in a step, given that share at the
-/// rate of the step's start. It is equal up to third order, since conduction replaces the heat meanwhile, and
+/// Share of a particle's heat above the ambient temperature that it loses in a step. share: its value at the
+/// initial rate. Both differ by O(share^3), because conduction supplies heat during the step. The result is
 /// below 1, so that losses do not overshoot.
 double boundedShare(double share) { return -std::expm1(-share * (1 + 0.5 * share)); }
 

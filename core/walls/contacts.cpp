@@ -80,14 +80,9 @@ bool listContacts(const WallContext& x, std::size_t i, WallContacts& contacts, b
   return moved;
 }
 
-/// Overlap of two walls near a particle to which they contribute relative densities a and b, divided by 2 ab.
-/// It is exact for two planes through the particle at any angle, and 0 for opposite ones. g = 1 - 2 angle /
-/// pi is 1 for equal directions, where the overlap is min(a, b).
-double alignment(const Vec3d& n, const Vec3d& m) {
-  return 1 - std::acos(std::clamp(dot(n, m), -1.0, 1.0)) * (2 / std::numbers::pi);
-}
-
-/// d overlap(a, b) / da, smoothed at the kink of min(a, b).
+/// d overlap(a, b) / da for the overlap of two walls near a particle to which they contribute relative
+/// densities a and b. The overlap is exact for two planes through the particle at any angle, 0 for opposite
+/// ones, and min(a, b) for equal directions (g = 1). It is smoothed at the kink of min(a, b).
 double overlapSlope(double a, double b, double g) {
   if (g <= 0) return (1 + g) * b;
   return (1 - g) * b + g * b * b / (a * a + b * b + 1e-30);
@@ -95,11 +90,12 @@ double overlapSlope(double a, double b, double g) {
 
 /// Updates the contact offset. A liquid particle may be closer to a wall than the rest distance of solids,
 /// and freezing there must not create a compressed spring. It rests where it froze, and at half a spacing
-/// once it has moved that far.
+/// once it has moved that far. Liquids have no depth below the surface of a solid.
 void updateContactOffset(Continuum& p, const Scene& scene, std::size_t i, double nearest) {
   const auto now = static_cast<float>(std::clamp(nearest / scene.spacing, 0.25, 0.5));
   p.contactOffset[i] = p.liquid[i] >= 1 ? now : std::max(p.contactOffset[i], now);
-  if (p.contactDepth.active && p.liquid[i] >= 1) p.contactDepth[i] = 0;
+  if (p.contactDepth.active && p.phase[i] == Liquid) p.contactDepth[i] = 0;
+  if (p.wallOffset.active && p.liquid[i] >= 1) p.wallOffset[i] = 0;
 }
 
 /// Fraction of a contact's pressure that remains after overlap with another wall.
@@ -123,6 +119,10 @@ void distributeShares(const WallContext& x, std::span<WallContact> contacts) {
 }
 
 }  // namespace
+
+double alignment(const Vec3d& n, const Vec3d& m) {
+  return 1 - std::acos(std::clamp(dot(n, m), -1.0, 1.0)) * (2 / std::numbers::pi);
+}
 
 std::span<const WallContact> contactsOf(const WallContacts& contacts, std::uint32_t row) {
   const auto before = [](const WallContact& c, std::uint32_t r) { return c.row < r; };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/contact/dashpot.hpp"
 #include "core/contact/friction_spring.hpp"
@@ -97,8 +98,8 @@ void addLiquidForces(const WallContext& x, const ParticleAtWall& at, double inve
 }
 
 /// Adds a spring with dashpot (CS79) and friction. Its energy goes to `stored` if that is not null. Returns
-/// true if a solid is pressed. shear (m): displacement of the friction spring; null: friction is a drag at
-/// low speed.
+/// true if a solid is pressed. shear (m): displacement of the friction spring; null: no spring, friction
+/// is a drag at low speed.
 bool addContactForces(const WallContext& x, const ParticleAtWall& at, Continuum* stored, WallAction& act,
                       Vec3d* shear) {
   const Continuum& p = x.world.particles;
@@ -127,8 +128,8 @@ bool addContactForces(const WallContext& x, const ParticleAtWall& at, Continuum*
   return true;
 }
 
-/// The friction spring of a particle: at the first wall that presses it. Solids that yield have none: pastes
-/// creep on walls.
+/// Friction spring of a particle. It acts at the first wall that presses the particle. Materials that yield
+/// have none, so they creep.
 class FrictionSpring {
  public:
   FrictionSpring(Continuum& p, std::size_t row, double dt, bool yields)
@@ -264,10 +265,14 @@ WallLoad wallLoad(const WallContext& x, double inverseLatticeSum, const WallCont
   const Continuum& p = w.particles;
   WallLoad load;
   const WallContext still{w, x.tables, x.liquids, 0, x.span};  // friction springs keep their displacement
+  std::optional<FrictionSpring> friction;                      // of the row
+  std::size_t row = w.particles.owned;
   for (const WallContact& c : contacts.list) {
     const Wall& touched = w.walls.list[c.wall];
     const std::size_t i = c.row;
-    if (touched.originalAt(c.wall) != wall || touchesAsPiece(p, i)) continue;
+    if (touchesAsPiece(p, i)) continue;
+    if (i != row) friction.emplace(w.particles, i, 0, w.scene.materials[p.material[i]].yields());
+    row = i;
     const double density = restDensityOf(p, w.scene.materials, i);
     const ParticleAtWall at{c,
                             touched.properties,
@@ -279,9 +284,9 @@ WallLoad wallLoad(const WallContext& x, double inverseLatticeSum, const WallCont
                             p.velocity[i] - wallVelocity(touched, p.position[i])};
     WallAction act;
     double stiffest = 0;
+    friction->note(addContactForces(still, at, nullptr, act, friction->forContact()));
+    if (touched.originalAt(c.wall) != wall) continue;
     if (at.liquid > 0) addLiquidForces(x, at, inverseLatticeSum, act, stiffest);
-    FrictionSpring friction(w.particles, i, 0, at.material.yields());
-    addContactForces(still, at, nullptr, act, friction.forContact());
     const Vec3d torque = cross(p.position[i] - touched.pose.move, act.force);
     for (int a = 0; a < 3; a++) {
       load.force[a].add(-act.force[a]);

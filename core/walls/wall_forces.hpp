@@ -63,6 +63,9 @@ struct WallSupport {
 /// particle do not cover.
 double pressureShare(const WallSupport& support, std::span<const WallContact> contacts, std::size_t contact);
 
+/// Returns 1 - 2 angle / pi for two directions: 1 if they are equal, 0 at right angles, -1 if opposite.
+double alignment(const Vec3d& n, const Vec3d& m);
+
 /// Returns the contacts of a row. Requires: the list is ordered by rows, as findWallContacts leaves it.
 std::span<const WallContact> contactsOf(const WallContacts& contacts, std::uint32_t row);
 

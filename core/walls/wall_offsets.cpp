@@ -2,6 +2,7 @@
 #include "core/walls/wall_offsets.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace thaw {
 namespace {
@@ -13,11 +14,16 @@ Vec3d outward(const WallView& w, const Bonds& bonds, std::uint32_t slot) {
   Vec3d sum{};
   for (int k = 0; k < bonds.capacity; k++) {
     if (!bonds.hasBond(slot, k)) continue;
-    const Vec3d d = exactDifference(w.grid, x[slot], x[bonds.neighbour[bonds.at(slot, k)]]);
+    Vec3d d = x[slot] - x[bonds.neighbour[bonds.at(slot, k)]];
+    for (int a = 0; a < 3; a++)
+      if (w.grid.periodic[a]) d[a] -= w.grid.period[a] * std::nearbyint(d[a] / w.grid.period[a]);
     sum += d * std::max(0.0, 1 - dot(d, d) / h2);
   }
   return sum;
 }
+
+/// Distance (spacings) at which offsets are found: before contact begins, also within substeps.
+constexpr double sight = longestSpring + 0.1;
 
 /// Share (1) of the depth that applies where the surface and the wall face each other with this cosine. It is
 /// 1 on lattice balls, whose directions are off by up to 21 degrees, and 0 at edges of 90 degrees.
@@ -27,7 +33,7 @@ double facingShare(double cosine) {
   return t * t * (3 - 2 * t);
 }
 
-/// Offset (spacings) of a solid whose contact with a wall begins.
+/// Offset (spacings) of a particle that approaches a wall.
 double offsetOf(const WallView& w, const Bonds& bonds, const WallContact& contact) {
   const Continuum& p = w.particles;
   const std::uint32_t i = contact.row;
@@ -50,7 +56,7 @@ void findWallOffsets(const WallContext& x, const WallContacts& contacts, const B
     for (; c != contacts.list.end() && c->row == nearest->row; ++c)
       if (c->distance < nearest->distance) nearest = &*c;
     float& offset = p.wallOffset[nearest->row];
-    if (nearest->distance >= longestSpring * w.scene.spacing) offset = 0;
+    if (nearest->distance >= sight * w.scene.spacing) offset = 0;
     else if (offset == 0) offset = static_cast<float>(offsetOf(w, bonds, *nearest));
   }
 }

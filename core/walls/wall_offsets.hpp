@@ -6,12 +6,11 @@
 
 namespace thaw {
 
-/// Sets Continuum::wallOffset of the solids in contact with walls: half a spacing, or the depth of the
-/// particle below the surface of its body (Continuum::contactDepth) where this surface faces the wall.
-/// Staircases of a lattice, as on balls, then touch as smooth surfaces. The direction of the surface is that
-/// of the sum of w (x_i - x_j) over its bonds, so it turns with the body. Materials that
-/// yield keep half a spacing, since plastic flow moves surfaces. An offset stays while the contact lasts, so
-/// that it does no work. Requires: Solids::position of all bonds.
+/// Sets Continuum::wallOffset of particles close to walls: half a spacing, or Continuum::contactDepth where
+/// the surface of the body faces the wall. The direction of the surface is that of sum w (x_i - x_j) over the
+/// particle's bonds. Materials that yield keep half a spacing, since plastic flow moves their surfaces.
+/// Requires: Solids::position of all bonds.
+/// Ensures: an offset stays while the contact lasts, so that it does no work.
 void findWallOffsets(const WallContext& context, const WallContacts& contacts, const Bonds& bonds);
 
 }  // namespace thaw

@@ -95,6 +95,16 @@ TEST(FreeSurfaceHeat, BallsConvectOverTheirArea) {
   }
 }
 
+TEST(FreeSurfaceHeat, CornersOfWallsCoverFaces) {
+  constexpr int n = 6;
+  for (const int walls : {1, 2, 3}) {
+    Scene s = solidScene(0.3);
+    for (int a = 0; a < walls; a++) s.domain.min[a] = 0, s.domain.side[a] = {Side::Wall, Side::Wall};
+    addBox(s, {0, 0, 0}, {n * dx, n * dx, n * dx});
+    EXPECT_NEAR(convectingArea(s) / (n * n), 6 - walls, 0.03) << walls;
+  }
+}
+
 TEST(FreeSurfaceHeat, RodsConductAlongTheirSurface) {
   for (const int a : {1, 2, 3, 4, 8}) EXPECT_NEAR(rodConductivity(a), 1, 0.02) << a;
 }

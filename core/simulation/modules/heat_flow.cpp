@@ -28,8 +28,8 @@ StepModule conductionCorrection() {
           [](const World& w, const StepTools&) { return w.particles.conductionCorrection.active; },
           {{ModulePhase::AllForces, [](StepContext& c) {
               if (c.dt != 0 && (c.w.clock.step + 1) % everySteps != 0) return;
-              correctConduction(pairSumsOf(c.w, c.t), c.w.scene.numerics, c.t.wallContacts, c.w.particles,
-                                c.t.conduction);  // for the next step
+              // for the next step
+              correctConduction(pairSumsOf(c.w, c.t), c.walls, c.t.wallContacts, c.t.conduction);
             }}}};
 }
 

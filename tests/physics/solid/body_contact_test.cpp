@@ -2,7 +2,9 @@
 // Elastic solids on others: exact solutions of sliding, static friction and rolling.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "tests/support/simulation.hpp"
 
@@ -109,6 +111,32 @@ TEST(BodyContact, ABallRollsOnAnObstacle) {
   s.bodies.clear();
   test::addFloor(s).friction = 0.6;
   expectRolling(s);
+}
+
+// A cylinder that ends at periodic sides touches the floor equally in all of its layers.
+TEST(BodyContact, ObstaclesTouchSurfacesAcrossPeriodicSides) {
+  Scene s = slabScene(0.6, 0);
+  s.bodies.clear();
+  test::addFloor(s);
+  s.domain.min.y = -0.1, s.domain.max.y = 0.1;
+  s.domain.side[1] = {Side::Periodic, Side::Periodic};
+  Body& rod = test::addBox(s, {}, {});
+  rod.shape.kind = ShapeKind::Cylinder;
+  rod.shape.radius = 0.1, rod.shape.height = 0.2;
+  rod.shape.rotate = {std::numbers::pi / 2, 0, 0};
+  rod.shape.move = {0, 0, 0.1};
+  s.end = 0.01;
+  Simulation r(s);
+  ASSERT_TRUE(r.run());
+  const Continuum& p = r.w.particles;
+  double nearest = 1, farthest = 0;
+  for (std::size_t i = 0; i < p.owned; i++)
+    if (p.wallOffset[i] > 0 && std::abs(p.position[i].x) < 0.6 * dx) {
+      nearest = std::min(nearest, static_cast<double>(p.wallOffset[i]));
+      farthest = std::max(farthest, static_cast<double>(p.wallOffset[i]));
+    }
+  EXPECT_LT(nearest, 0.49);
+  EXPECT_NEAR(farthest, nearest, 1e-4);
 }
 
 TEST(BodyContact, ABlockOnAnInclinedObstacleHolds) {
