@@ -265,7 +265,7 @@ WallLoad wallLoad(const WallContext& x, double inverseLatticeSum, const WallCont
   const Continuum& p = w.particles;
   WallLoad load;
   const WallContext still{w, x.tables, x.liquids, 0, x.span};  // friction springs keep their displacement
-  std::optional<FrictionSpring> friction;                      // of the row
+  std::optional<FrictionSpring> friction;                      // spring of the current row
   std::size_t row = w.particles.owned;
   for (const WallContact& c : contacts.list) {
     const Wall& touched = w.walls.list[c.wall];
