@@ -75,7 +75,7 @@ void findForces(StepContext& c) {
 void addContacts(StepContext& c) {
   runPhase(ModulePhase::Contact, c);
   c.t.times.lap(StepPhase::Contact);
-  if (c.w.particles.wallOffset.active) findWallOffsets(c.walls, c.t.wallContacts, c.w.bonds);
+  if (c.w.particles.wallOffset.active) findWallOffsets(c.walls.world, c.t.wallContacts, c.w.bonds);
   addWallForces(c.walls, c.t.inverseLatticeSum, c.t.wallContacts);
   c.t.times.lap(StepPhase::Walls);
   runPhase(ModulePhase::Coupling, c);

@@ -95,7 +95,6 @@ void updateContactOffset(Continuum& p, const Scene& scene, std::size_t i, double
   const auto now = static_cast<float>(std::clamp(nearest / scene.spacing, 0.25, 0.5));
   p.contactOffset[i] = p.liquid[i] >= 1 ? now : std::max(p.contactOffset[i], now);
   if (p.contactDepth.active && p.phase[i] == Liquid) p.contactDepth[i] = 0;
-  if (p.wallOffset.active && p.liquid[i] >= 1) p.wallOffset[i] = 0;
 }
 
 /// Fraction of a contact's pressure that remains after overlap with another wall.

@@ -42,10 +42,10 @@ Bounds sweptBounds(const Wall& wall) {
 }
 
 /// Periods, first to last, that shift a wall to within `reach` of the domain.
-struct Periods {
+struct ImageRange {
   int first = 0, last = 0;
 };
-Periods periodsOf(const Domain& d, const Wall& wall, const Bounds& swept, double reach, int a) {
+ImageRange imagesAlong(const Domain& d, const Wall& wall, const Bounds& swept, double reach, int a) {
   if (!isPeriodic(d, a) || spansDomain(d, wall, a)) return {};
   const double period = lengthOf(d, a);
   const double first = std::ceil((d.min[a] - reach - swept.max[a]) / period);
@@ -61,8 +61,8 @@ void addWallImages(const Domain& d, double reach, Walls& walls) {
   std::vector<Wall> all;
   for (Wall& wall : walls.list) {
     const Bounds swept = sweptBounds(wall);
-    Periods n[3];
-    for (int a = 0; a < 3; a++) n[a] = periodsOf(d, wall, swept, reach, a);
+    ImageRange n[3];
+    for (int a = 0; a < 3; a++) n[a] = imagesAlong(d, wall, swept, reach, a);
     const std::size_t own = all.size();
     all.push_back(std::move(wall));
     for (int z = n[2].first; z <= n[2].last; z++)

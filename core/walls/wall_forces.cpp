@@ -15,6 +15,7 @@
 #include "core/particles/elastic_pieces.hpp"
 #include "core/particles/sleep_stage.hpp"
 #include "core/walls/wall_load.hpp"
+#include "core/walls/wall_offsets.hpp"
 #include "core/walls/wall_surface_energy.hpp"
 
 namespace thaw {
@@ -128,12 +129,11 @@ bool addContactForces(const WallContext& x, const ParticleAtWall& at, Continuum*
   return true;
 }
 
-/// Friction spring of a particle. It acts at the first wall that presses the particle. Materials that yield
-/// have none, so they creep.
+/// Friction spring of a particle. It acts at the first wall that presses the particle.
 class FrictionSpring {
  public:
-  FrictionSpring(Continuum& p, std::size_t row, double dt, bool yields)
-      : p_(p), row_(row), kept_(p.wallShear.active && !yields), stepped_(dt > 0) {
+  FrictionSpring(Continuum& p, std::size_t row, double dt, const Material& material)
+      : p_(p), row_(row), kept_(p.wallShear.active && keepsSurface(material)), stepped_(dt > 0) {
     if (kept_) shear_ = wide(p.wallShear[row]);
   }
   /// The spring for the next contact, or null.
@@ -224,7 +224,7 @@ void addWallForces(const WallContext& x, double inverseLatticeSum, WallContacts&
     const double density = restDensityOf(p, w.scene.materials, i);
     const bool substeps = p.fastAcceleration.active && p.slot[i] != noSlot;
     WallAction act, often;  // often: the part that acts in every substep
-    FrictionSpring friction(p, i, x.dt, m.yields());
+    FrictionSpring friction(p, i, x.dt, m);
     for (; c < list.size() && list[c].row == i; c++) {
       const Wall& wall = w.walls.list[list[c].wall];
       const Vec3d v = wallVelocity(wall, p.position[i]), before = act.force;
@@ -271,7 +271,7 @@ WallLoad wallLoad(const WallContext& x, double inverseLatticeSum, const WallCont
     const Wall& touched = w.walls.list[c.wall];
     const std::size_t i = c.row;
     if (touchesAsPiece(p, i)) continue;
-    if (i != row) friction.emplace(w.particles, i, 0, w.scene.materials[p.material[i]].yields());
+    if (i != row) friction.emplace(w.particles, i, 0, w.scene.materials[p.material[i]]);
     row = i;
     const double density = restDensityOf(p, w.scene.materials, i);
     const ParticleAtWall at{c,
@@ -322,7 +322,7 @@ void addSubstepContacts(const WallContext& x, std::vector<WallContact>& contacts
     const Material& m = w.scene.materials[p.material[i]];
     const double density = restDensityOf(p, w.scene.materials, i);
     WallAction act;
-    FrictionSpring friction(p, i, x.dt, m.yields());
+    FrictionSpring friction(p, i, x.dt, m);
     for (; c < contacts.size() && contacts[c].row == i; c++) {
       if (!followContact(p, w.scene, w.walls, contacts[c])) continue;
       const Wall& wall = w.walls.list[contacts[c].wall];

@@ -2,7 +2,8 @@
 #include "core/walls/wall_offsets.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "core/solid/bonds/weight.hpp"
 
 namespace thaw {
 namespace {
@@ -11,12 +12,11 @@ namespace {
 Vec3d outward(const WallView& w, const Bonds& bonds, std::uint32_t slot) {
   const Column<Vec3d>& x = w.solids.position;
   const double h2 = w.grid.support * w.grid.support;
+  const Periods periods = periodsOf(w.grid);
   Vec3d sum{};
   for (int k = 0; k < bonds.capacity; k++) {
     if (!bonds.hasBond(slot, k)) continue;
-    Vec3d d = x[slot] - x[bonds.neighbour[bonds.at(slot, k)]];
-    for (int a = 0; a < 3; a++)
-      if (w.grid.periodic[a]) d[a] -= w.grid.period[a] * std::nearbyint(d[a] / w.grid.period[a]);
+    const Vec3d d = minimumImage(x[slot] - x[bonds.neighbour[bonds.at(slot, k)]], periods);
     sum += d * std::max(0.0, 1 - dot(d, d) / h2);
   }
   return sum;
@@ -39,7 +39,7 @@ double offsetOf(const WallView& w, const Bonds& bonds, const WallContact& contac
   const std::uint32_t i = contact.row;
   const double depth = static_cast<double>(p.contactDepth[i]);
   if (!(depth > 0 && depth < longestSpring) || p.slot[i] == noSlot) return longestSpring;
-  if (w.scene.materials[p.material[i]].yields()) return longestSpring;
+  if (!keepsSurface(w.scene.materials[p.material[i]])) return longestSpring;
   const Vec3d out = outward(w, bonds, p.slot[i]);
   const double size = length(out);
   if (!(size > 0)) return longestSpring;
@@ -48,8 +48,7 @@ double offsetOf(const WallView& w, const Bonds& bonds, const WallContact& contac
 
 }  // namespace
 
-void findWallOffsets(const WallContext& x, const WallContacts& contacts, const Bonds& bonds) {
-  const WallView& w = x.world;
+void findWallOffsets(const WallView& w, const WallContacts& contacts, const Bonds& bonds) {
   Continuum& p = w.particles;
   for (auto c = contacts.list.begin(); c != contacts.list.end();) {
     const WallContact* nearest = &*c;

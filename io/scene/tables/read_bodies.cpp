@@ -95,7 +95,7 @@ void readObstacle(TableReader& r, Obstacle& o, SceneReading& x) {
            "heat conductance of the contact; \"never\": no resistance");
   r.number("friction", o.friction, "", between(0, 10),
            "Coulomb friction on solids. Solids on a slope hold, or slide once the slope is steeper than "
-           "friction allows; materials with a `yield_strain` creep");
+           "friction allows; materials that yield or melt creep");
   r.number("restitution", o.restitution, "", between(0, 1),
            "restitution of solids that hit it: the smaller of this and the material's applies, so set both "
            "for a value above 0.5");
