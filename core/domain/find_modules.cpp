@@ -224,8 +224,8 @@ bool emitsSolid(const Scene& s) {
   });
 }
 
-/// Activates contact of solids and welding. elastic: some solid has bonds.
-void findContact(Finder& f, const std::vector<bool>& used, int solidBodies, bool elastic) {
+/// Activates contact of solids and welding. Requires: Modules::elastic.
+void findContact(Finder& f, const std::vector<bool>& used, int solidBodies) {
   const Scene& s = f.s;
   Modules& m = f.m;
   if (m.solid) {
@@ -233,7 +233,7 @@ void findContact(Finder& f, const std::vector<bool>& used, int solidBodies, bool
     if (m.freezing) f.on(m.contact, "contact of solids", "frozen pieces can touch");
     if (m.fracture && s.numerics.selfContact) f.on(m.contact, "contact of solids", "pieces can touch");
   }
-  if (m.contact && elastic && s.bodies.size() + s.emitters.size() > 1)
+  if (m.contact && m.elastic && s.bodies.size() + s.emitters.size() > 1)
     f.on(m.bodyContact, "contact of bodies", "solids of different bodies can touch");
   m.rareContact = m.contact && solidBodies <= 1 && !m.fracture && !emitsSolid(s);
   if (m.contact)
@@ -242,19 +242,19 @@ void findContact(Finder& f, const std::vector<bool>& used, int solidBodies, bool
         f.on(m.welding, "welding", "solids of material " + quoted(s.materials[k].name) + " grow together");
 }
 
-/// Activates sleep, and substeps of solids. elastic: some solid has bonds.
-void findSubsteps(Finder& f, bool elastic) {
+/// Activates sleep, and substeps of solids. Requires: Modules::elastic.
+void findSubsteps(Finder& f) {
   const Scene& s = f.s;
   Modules& m = f.m;
   if (m.solid && s.numerics.sleepSpeed > 0)
-    f.on(m.rigid && !elastic ? m.pieceSleep : m.sleep, "sleep", "`numerics.sleep_speed` is given");
+    f.on(m.rigid && !m.elastic ? m.pieceSleep : m.sleep, "sleep", "`numerics.sleep_speed` is given");
   // Contact of solids limits the step of all particles, so substeps gain little there. With more than two
   // substeps, impulses of incompressible liquid come as seldom as half a period of the fastest elastic waves,
   // and feed these waves.
   const int byDefault = m.incompressible ? 2 : 4;
-  m.mostSubsteps = s.numerics.elasticSubsteps > 0                                ? s.numerics.elasticSubsteps
-                   : elastic && m.fluid && !m.contact && !m.sleep && !m.rigidify ? byDefault
-                                                                                 : 1;
+  m.mostSubsteps = s.numerics.elasticSubsteps > 0 ? s.numerics.elasticSubsteps
+                   : m.elastic && m.fluid && !m.contact && !m.sleep && !m.rigidify ? byDefault
+                                                                                   : 1;
   m.rareContact = m.rareContact && m.mostSubsteps > 1;
   if (m.solid && m.mostSubsteps > 1)
     f.on(m.substeps, "substeps of solids",
@@ -299,11 +299,11 @@ Modules modulesOf(const Scene& s) {
     findHeatLaws(f, s.materials[k], who);
     findSolidLaws(f, s.materials[k], who);
   }
-  const bool elastic = m.elastic = findRigid(f, used);
-  findContact(f, used, solidBodies, elastic);
+  m.elastic = findRigid(f, used);
+  findContact(f, used, solidBodies);
   if (m.fluid && s.numerics.solver == PressureSolver::Incompressible)
     f.on(m.incompressible, "incompressible liquid", "numerics.pressure_solver");
-  findSubsteps(f, elastic);
+  findSubsteps(f);
   findNeighbourUse(f);
   findTerms(f, false);
   m.uniform = isUniform(s, m);

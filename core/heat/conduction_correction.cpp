@@ -4,8 +4,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
-#include "core/kernels/lattice.hpp"
-#include "core/kernels/with_kernel.hpp"
 #include "core/simd/choose.hpp"
 
 namespace thaw {
@@ -21,24 +19,6 @@ double largestEigenvalue(const Sym3d& s) {
 }
 
 }  // namespace
-
-LatticeConduction latticeConduction(const Numerics& n) {
-  return withKernel(n.kernel, [&](auto kernel) {
-    LatticeConduction sum;
-    const int steps = static_cast<int>(n.support);
-    const double spacing = 1 / n.support, volume = spacing * spacing * spacing;
-    for (int x = -steps; x <= steps; x++)
-      for (int y = -steps; y <= steps; y++)
-        for (int z = -steps; z <= steps; z++) {
-          const double q2 = (x * x + y * y + z * z) * spacing * spacing;
-          if (q2 == 0 || q2 >= 1) continue;
-          const double w = volume * kernel.laplace(q2), along = w * x * x * spacing * spacing;
-          sum.weight += w;
-          sum.moment += along;
-        }
-    return sum;
-  });
-}
 
 bool correctsConduction(const Scene& s, const Modules& m) {
   const auto conducts = [](const Material& x) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/heat/free_surface_sums.hpp"
+#include "core/kernels/lattice.hpp"
 #include "core/particles/continuum.hpp"
 #include "core/scene/modules.hpp"
 #include "core/walls/wall_forces.hpp"
@@ -15,12 +16,6 @@ namespace thaw {
 struct ConductionWork {
   std::vector<ConductionSums> sums;
 };
-
-/// Values of the sums inside of the lattice.
-struct LatticeConduction {
-  double weight = 0, moment = 0;  ///< moment: along each axis
-};
-LatticeConduction latticeConduction(const Numerics& numerics);
 
 /// Returns true if conduction is normalised and conductivities are per particle.
 bool correctsConduction(const Scene& scene, const Modules& modules);

@@ -46,7 +46,7 @@ void findContactNormals(const PairSums& sums, std::size_t rows, Continuum& p, Co
   resizeRecords(sums.precision, rows, work.ends);
   resizeRecords(sums.precision, rows, work.faces);
   packEnds(sums.precision, p, work);
-  contactHeatKernels()->normals(sums, {work.ends.data(), nullptr, p.contactNormal.data(), 1},
+  contactHeatKernels()->normals(sums, {work.ends.data(), nullptr, p.contactNormal.data(), work.spacing},
                                 {0, sums.lists->groups});
 }
 

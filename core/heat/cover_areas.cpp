@@ -10,7 +10,7 @@ namespace {
 
 /// Share of an area that is not covered by another wall in the same direction as well. The faces of corners
 /// cover different areas.
-double shareBeside(double covered, double other, double aligned) {
+double uncoveredShare(double covered, double other, double aligned) {
   return 1 - std::max(0.0, aligned) * other * other / std::max(covered * covered + other * other, 1e-30);
 }
 
@@ -25,10 +25,11 @@ void coverAreas(const WallView& w, const WallContacts& contacts) {
     last = std::find_if(first, end, [&](const WallContact& c) { return c.row != first->row; });
     float& area = w.particles.exposedArea[first->row];
     for (auto c = first; area > 0 && c != last; ++c) {
-      double own = areaAt(*c);
-      for (auto other = first; own > 0 && other != last; ++other)
-        if (other != c) own *= shareBeside(areaAt(*c), areaAt(*other), alignment(c->normal, other->normal));
-      covered += own;
+      const double full = areaAt(*c);
+      double share = 1;
+      for (auto other = first; full > 0 && other != last; ++other)
+        if (other != c) share *= uncoveredShare(full, areaAt(*other), alignment(c->normal, other->normal));
+      covered += share * full;
     }
     if (covered > 0) area = static_cast<float>(clearArea(std::max(0.0, static_cast<double>(area) - covered)));
   }

@@ -15,6 +15,7 @@
 #include "core/materials/rest_density.hpp"
 #include "core/materials/state_equation.hpp"
 #include "core/scene/temperature_table.hpp"
+#include "core/walls/tables.hpp"
 
 namespace thaw {
 namespace {
@@ -22,6 +23,11 @@ namespace {
 // Fractions of the exposure of a flat surface. Disorder inside liquid gives up to 0.4, and less than 0.1 in
 // the mean over neighbours.
 constexpr double leastExposure = 0.05, noise[2] = {0.4, 0.7}, meanNoise[2] = {0.06, 0.12};
+
+/// Free-surface indicator of the outermost particles of a flat lattice surface.
+double flatLatticeIndicator(const Numerics& n) {
+  return 2 / n.support * wallIntegrals(n, 0.5 / n.support).push;
+}
 
 /// Largest fraction of its absolute temperature that a particle loses in a step, where its rate of
 /// evaporation is not 0 at any temperature.

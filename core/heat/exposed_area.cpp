@@ -11,12 +11,9 @@
 namespace thaw {
 namespace {
 
-// The area is the sum of two functions, both relative to a flat face of the lattice: of the missing weights
-// and of the asymmetry. They are the increasing, piecewise linear functions with the least squares of errors
-// of total areas, for 750 bodies: planes of random and of nine given orientations, cubes of 1 to 15 spacings,
-// turned cubes, plates, bars, and balls and cylinders of 3 to 16 spacings, on lattices with random offsets
-// and with jitter of 0.1 and 0.2 spacings; relaxed balls; and liquid, whose inside has no area. A flat face,
-// an edge and a plate of one layer are exact.
+// The area is a function of the missing weights plus one of the asymmetry, both relative to a flat face of
+// the lattice. These piecewise linear functions are fitted to the total areas of 750 bodies
+// (docs/theory/heat.md). A flat face, an edge and a plate of one layer are exact.
 constexpr double missingStep = 0.25, asymmetryStep = 0.125;
 constexpr std::array<double, 14> areaOfMissing{0,     0, 0.357, 0.357, 0.357, 0.572, 0.572,
                                                1.485, 2, 2.553, 3.124, 3.686, 5.158, 7.304};

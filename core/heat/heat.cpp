@@ -7,7 +7,6 @@
 #include "core/materials/enthalpy.hpp"
 #include "core/materials/rest_density.hpp"
 #include "core/particles/sleep_stage.hpp"
-#include "core/walls/tables.hpp"
 
 namespace thaw {
 namespace {
@@ -81,10 +80,6 @@ void setPhase(const Scene& s, const Modules& modules, Continuum& p, std::size_t 
     p.phase[i] = f >= 1 || !m.canBeSolid() ? Liquid : Solid;
     if (p.restDensity.active) p.restDensity[i] = targetRestDensity(m, static_cast<Phase>(p.phase[i]), f);
   }
-}
-
-double flatLatticeIndicator(const Numerics& n) {
-  return 2 / n.support * wallIntegrals(n, 0.5 / n.support).push;
 }
 
 void addOuterHeat(const HeatView& w, double dt, const std::vector<std::uint8_t>* steady) {

@@ -25,9 +25,6 @@ void addOuterHeat(const HeatView& view, double dt, const std::vector<std::uint8_
 /// Ledger::heatIn.
 void addThermostats(const HeatView& view, double dt);
 
-/// Free-surface indicator of the outermost particles of a flat lattice surface.
-double flatLatticeIndicator(const Numerics& numerics);
-
 /// H += dt heatFlow / m, then temperature and liquid fraction. In the paper's model T += dt * (heatFlow / (m
 /// c)), with K05's diffusivity as conductivity (Material::paperDiffusivity, by conductivityOf).
 void updateHeat(const HeatView& view, double dt);

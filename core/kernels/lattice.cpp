@@ -181,14 +181,19 @@ double stableViscousStep(const Numerics& n) {
   return 2 / largestEigenvalue(n.support, block);
 }
 
-double latticeLaplacian(const Numerics& n) {
+LatticeConduction latticeConduction(const Numerics& n) {
   return withKernel(n.kernel, [&](auto kernel) {
-    double sum = 0;
-    overNeighbours(n.support,
-                   [&](const Eigen::Vector3d& d, double q2) { sum += kernel.laplace(q2) * d[0] * d[0] / 2; });
-    return sum / (n.support * n.support * n.support);
+    LatticeConduction sum;
+    overNeighbours(n.support, [&](const Eigen::Vector3d& d, double q2) {
+      sum.weight += kernel.laplace(q2);
+      sum.moment += kernel.laplace(q2) * d[0] * d[0];
+    });
+    const double cells = n.support * n.support * n.support;
+    return LatticeConduction{sum.weight / cells, sum.moment / cells};
   });
 }
+
+double latticeLaplacian(const Numerics& n) { return latticeConduction(n).moment / 2; }
 
 double conductionScale(const Numerics& n) {
   return n.conduction == Conduction::Normalised && n.heat != HeatModel::Paper ? 1 / latticeLaplacian(n) : 1;

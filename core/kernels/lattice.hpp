@@ -9,6 +9,13 @@ namespace thaw {
 /// Sum of V W over the lattice, self included: the value at rest density.
 double latticeSum(const Numerics& numerics);
 
+/// Sums of conduction over the lattice.
+struct LatticeConduction {
+  double weight = 0;  ///< sum of V lap W; lengths in support radii
+  double moment = 0;  ///< weights times the square of a coordinate
+};
+LatticeConduction latticeConduction(const Numerics& numerics);
+
 /// Factor by which the conduction sum scales the Laplacian of a quadratic field on the lattice; 1 in the
 /// limit of many neighbours. Conduction::Normalised divides by it: the "moment-normalised Laplacian" of
 /// docs/theory/heat.md for the mean neighbourhood.

@@ -14,7 +14,6 @@
 #include "core/flow/rheology/apparent_viscosity.hpp"
 #include "core/halo/exchange.hpp"
 #include "core/heat/exposed_area.hpp"
-#include "core/heat/heat.hpp"
 #include "core/materials/enthalpy.hpp"
 #include "core/math/hash_random.hpp"
 #include "core/rigid/piece_joint.hpp"

@@ -38,6 +38,14 @@ struct Lump {
     setPhase(w.scene, w.modules, p, 0, 1);
   }
   Continuum& p() { return w.particles; }
+  /// Exposes the area of a particle.
+  void expose(double spacing, double ambient) {
+    w.modules.surfaceHeat = true;
+    w.scene.spacing = spacing;
+    w.scene.domain.ambient = ambient;
+    p().exposedArea[0] = 1;
+    p().heatFlow[0] = 0;
+  }
   void setFraction(double f) {
     p().enthalpy[0] = f * meltingBand(w.scene.materials[0]);
     p().heatFlow[0] = 0;
@@ -201,11 +209,7 @@ TEST(Heat, SurfacesFollowNewtonsAndStefansLaws) {
   m.emissivity = 0.9;
   m.conductivity = {};  // one temperature, up to the surface
   Lump l(m, 600);
-  l.w.modules.surfaceHeat = true;
-  l.w.scene.spacing = 0.05;
-  l.w.scene.domain.ambient = 300;
-  l.p().exposedArea[0] = 1;
-  l.p().heatFlow[0] = 0;
+  l.expose(0.05, 300);
   addOuterHeat(heatView(l.w), 1e-6);
   const double expected = 0.05 * 0.05 *
                           (20 * (300 - 600.0) + 0.9 * 5.670374419e-8 * (std::pow(300, 4) - std::pow(600, 4)));
@@ -226,11 +230,7 @@ TEST(Heat, SurfacesAreCoolerThanTheirParticles) {
       m.emissivity = 0.9;
       m.conductivity = {conductivity, conductivity};
       Lump l(m, 600);
-      l.w.modules.surfaceHeat = true;
-      l.w.scene.spacing = 0.05;
-      l.w.scene.domain.ambient = ambient;
-      l.p().exposedArea[0] = 1;
-      l.p().heatFlow[0] = 0;
+      l.expose(0.05, ambient);
       addOuterHeat(heatView(l.w), 1e-6);
       const double flux = l.p().heatFlow[0] / (0.05 * 0.05), surface = 600 + flux * 0.025 / conductivity;
       const double expected = 20 * (ambient - surface) +
@@ -245,11 +245,7 @@ TEST(Heat, LossesKeepTheirRateInAStep) {
   m.convection = 100;
   m.heatCapacity = {500, 500};
   Lump l(m, 400);
-  l.w.modules.surfaceHeat = true;
-  l.w.scene.spacing = 1;
-  l.w.scene.domain.ambient = 300;
-  l.p().exposedArea[0] = 1;
-  l.p().heatFlow[0] = 0;
+  l.expose(1, 300);
   addOuterHeat(heatView(l.w), 1);  // a tenth of the heat, at this rate
   EXPECT_NEAR(l.p().heatFlow[0] / (100 * -100.0), 1, 0.005);
 }
