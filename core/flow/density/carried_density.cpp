@@ -8,7 +8,7 @@
 #include "core/flow/density/connected_density.hpp"
 #include "core/fluid/laws/free_surface.hpp"
 #include "core/fluid/laws/particle_pressure.hpp"
-#include "core/particles/shifted.hpp"
+#include "core/particles/step_velocity.hpp"
 #include "core/walls/wall_forces.hpp"
 #include "core/walls/wall_moments.hpp"
 
@@ -24,9 +24,11 @@ double wallSlope(const CarryContext& x, const WallContact& c) {
 /// Gradient of the wall's own relative density, times h: half of the slope.
 Vec3d ownGradient(const CarryContext& x, const WallContact& c) { return c.normal * (-0.5 * wallSlope(x, c)); }
 
-/// Velocity (m/s) relative to the wall.
-Vec3d relativeVelocity(const CarryContext& x, const WallContact& c) {
-  return x.particles.velocity[c.row] - wallVelocity(x.walls.list[c.wall], x.particles.position[c.row]);
+/// Velocity (m/s) relative to the wall in the last step: without shifting, and with it.
+StepVelocity relativeVelocity(const CarryContext& x, const WallContact& c) {
+  const StepVelocity v = stepVelocity(x.particles, c.row, x.clock.substeps);
+  const Vec3d wall = wallVelocity(x.walls.list[c.wall], x.particles.position[c.row]);
+  return {v.flow - wall, v.all - wall};
 }
 
 /// Moves a contact back to the start of the step. Beyond `edgeReach` spacings the wall is a plane. Nearer,
@@ -35,9 +37,7 @@ Vec3d relativeVelocity(const CarryContext& x, const WallContact& c) {
 void moveToStart(const CarryContext& x, WallContact& c, bool nearest) {
   constexpr double edgeReach = 1, smallestTurn = 0.01;  // rad, smaller turns are neglected
   const Continuum& p = x.particles;
-  Vec3d velocity = relativeVelocity(x, c);
-  if (isShifted(p, c.row)) velocity += p.shiftingVelocity[c.row];
-  const Vec3d back = velocity * -x.dt;
+  const Vec3d back = relativeVelocity(x, c).all * -x.dt;
   const double off = dot(back, c.normal), along = length(back - c.normal * off);
   c.distance += off;
   if (!nearest || c.distance > edgeReach * x.scene.spacing) return;
@@ -65,7 +65,7 @@ std::span<const WallContact> atStart(const CarryContext& x, std::span<const Wall
 
 /// Rate (1/s) of the relative density due to a wall.
 double wallRate(const CarryContext& x, const WallContact& c) {
-  return -wallSlope(x, c) / x.grid.support * dot(relativeVelocity(x, c), c.normal);
+  return -wallSlope(x, c) / x.grid.support * dot(relativeVelocity(x, c).flow, c.normal);
 }
 
 /// Adds the walls' parts to the sums of a row. Their density rate is the mean of both ends of the step, like

@@ -11,7 +11,7 @@
 #include "core/materials/enthalpy.hpp"
 #include "core/materials/rest_density.hpp"
 #include "core/materials/state_equation.hpp"
-#include "core/particles/shifted.hpp"
+#include "core/particles/step_velocity.hpp"
 
 namespace thaw {
 namespace {
@@ -72,19 +72,6 @@ MaterialParameters localParameters(HeatModel model, const Material& m, double f,
 /// bonds.
 bool sumsOverPairs(const Modules& m) { return m.fluid || m.heat || m.contact; }
 
-/// Returns true if a particle moved in substeps in the last step. Ghosts have no slot that would show it.
-bool movedInSubsteps(const Continuum& p, std::size_t i) { return p.stepMeanVelocity[i] != Vec3d{}; }
-
-/// Velocity (m/s) with which a particle moved in the last step: without shifting, and with it.
-struct StepVelocity {
-  Vec3d flow, all;
-};
-StepVelocity stepVelocity(const Continuum& p, std::size_t i, bool substeps) {
-  if (substeps && movedInSubsteps(p, i)) return {p.stepMeanVelocity[i], p.stepMeanVelocity[i]};
-  const Vec3d& v = p.velocity[i];
-  return {v, isShifted(p, i) ? v + p.shiftingVelocity[i] : v};
-}
-
 template<class Real>
 void packPlace(const CellGrid& grid, const FixedPlaces& fixedPlace, const Vec3d& at, double volume,
                Four<Real>& to) {
@@ -108,8 +95,7 @@ template<class Real>
 void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
   const CellGrid grid = x.grid;
   const double h = grid.support;
-  const bool carried = x.modules.continuity, surfaces = p.atSurface.active,
-             substeps = p.stepMeanVelocity.active && x.substeps > 1;
+  const bool carried = x.modules.continuity, surfaces = p.atSurface.active;
   const double stiffness = carried ? x.liquids[0].stiffness : 1;
   const bool sums = sumsOverPairs(x.modules);
   const bool heat = x.modules.heat, melting = x.modules.melting, surface = r.surface.size() > 0,
@@ -137,7 +123,7 @@ void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::
     if constexpr (sizeof(Real) == 8)
       packPlace(grid, fixedPlace, at, marked, rows<double>(r.positionVolume)[i]);
     if (!sums) continue;
-    const StepVelocity moved = stepVelocity(p, i, substeps);
+    const StepVelocity moved = stepVelocity(p, i, x.substeps);
     if (carried)
       packPlace(grid, fixedPlace, at - moved.all * (0.5 * x.elapsed), marked, rows<Real>(r.middle)[i]);
     if (uniform && !surface) {
@@ -186,8 +172,7 @@ template<class Real>
 void packTensors(const RecordContext& x, Continuum& p, std::size_t begin, std::size_t end, PairRecords& r) {
   const Numerics& n = x.scene.numerics;
   const bool uniform = x.modules.uniform, corrected = x.modules.corrected,
-             recordsEnergy = !uniform && end <= p.owned,
-             substeps = p.stepMeanVelocity.active && x.substeps > 1;
+             recordsEnergy = !uniform && end <= p.owned;
   for (std::size_t i = begin; i < end; i++) {
     const double relativeDensity = static_cast<double>(p.relativeDensity[i]);
     const double pressure = relativeDensity > 0 ? pressureOf(n.eos, x.liquids[p.material[i]].stiffness,
@@ -210,8 +195,6 @@ void packTensors(const RecordContext& x, Continuum& p, std::size_t begin, std::s
     pressurePhaseHeat.a = Real(relief.z);
     pressurePhaseHeat.b = std::abs(pressurePhaseHeat.b);  // the sign is for the density sums only
     if (p.relief.active && isFixedSolid(p, i)) pressurePhaseHeat.b = Real(-0.0);
-    if (substeps && movedInSubsteps(p, i))
-      put(rows<Real>(r.velocityViscosity)[i], p.velocity[i], rows<Real>(r.velocityViscosity)[i].d);
     if (recordsEnergy) p.interaction[i] += compressionOf(x, p, i, static_cast<double>(pressurePhaseHeat.b));
   }
 }

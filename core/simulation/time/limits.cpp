@@ -58,6 +58,14 @@ double largestViscosity(const Scene& s, const Material& m) {
   return largest;
 }
 
+/// Factor of the largest stable viscous step. Particles that are partly molten have viscous and elastic
+/// forces, and are stable up to a shorter step; likewise solids that take substeps, on which viscous forces
+/// follow their mean velocity.
+double viscousFactor(const Numerics& n, const Modules& modules) {
+  constexpr double besideElastic = 0.75;
+  return n.cflViscous * (modules.substeps || (modules.elastic && modules.melting) ? besideElastic : 1);
+}
+
 /// Returns the viscosity (Pa s) that limits the step of particles of material k with viscosity mu; their
 /// velocity change depends on their own mass alone (docs/validation/stability.md, row 12). Between liquids of
 /// the pairwise form it is mu. Next to a thicker, nearly static liquid or a solid, the viscosity of a pair is
@@ -106,7 +114,9 @@ StepLimits materialLimits(const Scene& s, const Modules& modules,
                              ? 0
                              : viscosityOfStep(s, k, constant ? largestViscosity(s, m) : 0)) +
                         (canBeLiquid(m) ? 1.6 * artificial : 0);
-      if (mu > 0) take(Limit::Viscous, n.cflViscous * stableViscousStep(n) * h * h * leastDensityOf(m) / mu);
+      if (mu > 0)
+        take(Limit::Viscous,
+             viscousFactor(n, modules) * stableViscousStep(n) * h * h * leastDensityOf(m) / mu);
     }
     if (modules.fluid && canBeLiquid(m)) {
       // The surface energy is stiff where few particles interact. An inviscid drop gains 26 % of its energy
@@ -197,8 +207,8 @@ StepLimits particleLimits(const World& w, const LargestRates& largest, double st
     double mu = largestViscosityHere(w, k);
     if (mu > 0) mu = viscosityOfStep(w.scene, k, mu);
     if (mu > 0)
-      l[Limit::Viscous] = std::min(
-          l[Limit::Viscous], n.cflViscous * stableViscousStep * h * h * leastDensityNear(w.scene, k) / mu);
+      l[Limit::Viscous] = std::min(l[Limit::Viscous], viscousFactor(n, w.modules) * stableViscousStep * h *
+                                                          h * leastDensityNear(w.scene, k) / mu);
   }
   return l;
 }
