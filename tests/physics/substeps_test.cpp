@@ -215,7 +215,7 @@ TEST(Substeps, ContactOfFrozenPiecesLimitsTheStepWhileItActs) {
   ASSERT_TRUE(run.w.modules.rareContact);
   const double contact = run.tools.longestContact;
   while (run.w.counters.frozen == 0) ASSERT_TRUE(run.step());
-  EXPECT_GT(run.w.clock.stepDt, 1.5 * contact);
+  EXPECT_GT(run.w.clock.stepDt, 1.1 * contact);
   for (int k = 0; k < 3; k++) {
     ASSERT_TRUE(run.step());
     EXPECT_LE(run.w.clock.stepDt, contact);
@@ -260,26 +260,39 @@ Scene topplingBar(double viscosity, int substeps, double cfl) {
   return s;
 }
 
+struct MushCase {
+  double viscosity;  ///< Pa s
+  int substeps;
+  double cfl;
+  bool carried = true;
+  double soundSpeed = 26;  ///< m/s
+};
+
+/// Residual of the ledger of a toppling bar over its scale.
+double residualOfMush(const MushCase& c) {
+  Scene s = topplingBar(c.viscosity, c.substeps, c.cfl);
+  if (c.carried) carryDensity(s, 0.07);
+  s.materials[0].soundSpeed = c.soundSpeed;
+  s.end = 0.6;
+  Simulation run(s);
+  EXPECT_TRUE(run.run());
+  const LedgerReport r = run.ledgerReport();
+  return std::abs(r.energyResidual) / r.energyScale;
+}
+
 // Walls act on a mushy particle along its mean velocity over the substeps, and viscous forces dissipate with
 // it. With the velocity at the end of the substeps, carried densities gain 14 % with 1 Pa s and 3 % with 10;
 // summed ones gain 4 % with 100. At the limit of viscosity, mush is stable up to a shorter step than liquid.
 TEST(Substeps, MushOnAPlateGainsNoEnergy) {
-  struct Case {
-    bool carried;
-    double viscosity;
-    int substeps;
-    double cfl;
-  };
-  for (const Case& c : {Case{true, 1, 4, 0.175}, Case{true, 10, 4, 0.175}, Case{true, 100, 4, 0.175},
-                        Case{true, 100, 1, 0.7}, Case{false, 10, 4, 0.175}, Case{false, 100, 4, 0.175}}) {
-    Scene s = topplingBar(c.viscosity, c.substeps, c.cfl);
-    if (c.carried) carryDensity(s, 0.07);
-    s.end = 0.6;
-    Simulation run(s);
-    ASSERT_TRUE(run.run());
-    const LedgerReport r = run.ledgerReport();
-    EXPECT_LT(std::abs(r.energyResidual), 0.005 * r.energyScale) << c.viscosity << ' ' << c.substeps;
-  }
+  for (const MushCase& c :
+       {MushCase{1, 4, 0.175}, MushCase{10, 4, 0.175}, MushCase{100, 4, 0.175}, MushCase{100, 1, 0.7},
+        MushCase{10, 4, 0.175, false}, MushCase{100, 4, 0.175, false}})
+    EXPECT_LT(residualOfMush(c), 0.005) << c.viscosity << ' ' << c.substeps;
+}
+
+// With steps of half a period of the fastest elastic waves, the bar gains 7 %.
+TEST(Substeps, SlowForcesOnMushFeedNoElasticWaves) {
+  EXPECT_LT(residualOfMush({10, 4, 0.7, true, 8}), 0.005);
 }
 
 }  // namespace thaw::test

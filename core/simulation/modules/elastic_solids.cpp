@@ -70,6 +70,20 @@ double worthwhileStep(double substep, double limit, int most) {
   return longer > shorter ? (whole + 1) * substep : whole * substep;
 }
 
+/// Longest step (s) at which slow forces feed no elastic waves, for the limit `elastic` (s) of a step without
+/// substeps. Pressure and viscosity of mush, and impulses of incompressible liquid, are as stiff as bonds.
+/// Once two of them are half a period of the fastest waves apart, a factor of 1.4, solids gain energy.
+double longestStepOfMush(const StepContext& c, double elastic) {
+  constexpr double stable = 0.8;  // multiple of the limit at a cfl_elastic of 1
+  const auto isNever = [](const StepLimits& limits) {
+    return std::all_of(limitsOfLiquid.begin(), limitsOfLiquid.end(),
+                       [&](Limit l) { return !(limits.value[static_cast<std::size_t>(l)] < never); });
+  };
+  const bool dry = isNever(c.commonLimits) && !isNever(c.t.fixedLimits);
+  if (!c.w.modules.incompressible && (!c.w.modules.melting || dry)) return never;
+  return std::max(1.0, stable / c.w.scene.numerics.cflElastic) * elastic;
+}
+
 }  // namespace
 
 StepModule solidSubsteps() {
@@ -84,12 +98,14 @@ StepModule solidSubsteps() {
            {ModulePhase::CommonLimits,
             [](StepContext& c) {
               StepLimits& limits = c.commonLimits;
+              const double longest = longestStepOfMush(c, limits[Limit::Elastic]);
               c.longestSubstep = std::min(
                   {limits[Limit::Elastic], c.t.longestContact, -c.reduction.negatedFastLimit});
               limits[Limit::Elastic] = c.w.modules.mostSubsteps * c.longestSubstep;
               if (c.w.modules.rareContact)
                 limits[Limit::Elastic] = worthwhileStep(c.longestSubstep, limits[limits.smallest()],
                                                         c.w.modules.mostSubsteps);
+              limits[Limit::Elastic] = std::min(limits[Limit::Elastic], longest);
             }},
            {ModulePhase::NextStep,
             [](StepContext& c) { chooseSubsteps(c.w, c.t, c.w.watch.factor * c.longestSubstep); }}}};

@@ -203,7 +203,8 @@ void readNumerics(TableReader& r, Numerics& n) {
       "largest number of substeps of solids within a step, if their elastic limit is the shortest. 0: 4 with "
       "liquid (2 if it is incompressible) and without contact of solids, else 1. With at most one solid "
       "body, contacts of frozen pieces limit the step only while pieces touch or are about to. With more "
-      "than 8, or 2 with incompressible liquid, the liquid may pump energy into solids without damping");
+      "than 8 the liquid may pump energy into solids without damping. With incompressible liquid, or with "
+      "liquid in a scene of melting solids, the step is at most that of a `cfl_elastic` of 0.8");
   n.elasticSubsteps = static_cast<int>(substeps);
   r.number("sleep_speed", n.sleepSpeed, "m/s", notNegative(),
            "solids that are slower than this for `sleep_after`, like all their neighbours, sleep: they stay "
