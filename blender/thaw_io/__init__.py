@@ -33,7 +33,7 @@ def programOf(context):
 
 
 class ImportRun(bpy.types.Operator):
-    """Import a thaw run: its surface, sheets or particles over time, obstacles and camera"""
+    """Import a thaw run: its surface, sheets or particles over time, obstacles, camera and lights"""
 
     bl_idname, bl_label, bl_options = 'import_scene.thaw', 'Import thaw run', {'REGISTER', 'UNDO'}
     directory: StringProperty(subtype='DIR_PATH')
@@ -41,7 +41,7 @@ class ImportRun(bpy.types.Operator):
     field: StringProperty(
         name='Colour by', description='A field such as temperature; empty: colours of the scene'
     )
-    setting: BoolProperty(name='Obstacles, camera, light', default=True)
+    setting: BoolProperty(name='Obstacles, camera, lights', default=True)
 
     def invoke(self, context, event):
         context.window_manager.fileselect_add(self)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Imports a run: surface, sheets, oriented bodies or particles over time, obstacles, camera, a light."""
+"""Imports a run: surface, sheets, oriented bodies or particles over time, obstacles, camera, lights."""
 import os
 
 import bpy
 
-from . import hdf, looks, obstacles, ply, run_files, sequence
+from . import hdf, looks, obstacles, ply, run_files, sequence, stage
 from .units import si
 
 
@@ -12,7 +12,7 @@ def importRun(folder, *, what='automatic', field='', program='', setting=True, s
     """Adds the objects of a run. Returns the imported object and a list of notes. Raises RunError.
 
     what: automatic, surface, sheet, oriented, particles. field: for the colours of the material; empty:
-    colours of the scene. setting: also adds obstacles, camera and light, and sets the frame range.
+    colours of the scene. setting: also adds obstacles, camera, lights and world, and sets the frame range.
     """
     run = run_files.Run(folder)
     kind = run.first() if what == 'automatic' else what
@@ -40,6 +40,7 @@ def importRun(folder, *, what='automatic', field='', program='', setting=True, s
             scene,
             lambda time: start + (time - times[0]) / (spacing or 1),
             obstacles.Meshes(lambda: run.obstacleMeshes(program), times[0]),
+            run_files.fieldsOf(frames[0])[0],
         )
     return thing, notes
 
@@ -85,25 +86,26 @@ def limits(thing, field):
     return (float(min(values)), float(max(values))) if values else (0.0, 1.0)
 
 
-def addSetting(scene, frameOf, meshes):
+def addSetting(scene, frameOf, meshes, points):
+    """Adds obstacles, camera, lights and world. points: positions of the first frame. Returns notes."""
     notes = []
     if not scene:
-        notes.append('obstacles and camera are not imported: they need Python 3.11, as in Blender 4.1')
+        notes.append(
+            'obstacles, camera and lights are not imported: they need Python 3.11, as in Blender 4.1'
+        )
     try:
         left = obstacles.addObstacles(scene, frameOf, meshes)
         notes += [
             f'obstacle {name} is not imported: its mesh needs the program thaw (preferences of the add-on)'
             for name in left
         ]
-        obstacles.addCamera(scene)
     except ValueError as error:
         notes.append(str(error))
-    if not any(thing.type == 'LIGHT' for thing in bpy.context.scene.objects):
-        light = bpy.data.lights.new('thaw sun', 'SUN')
-        light.energy, light.angle = 2.5, 0.09
-        thing = bpy.data.objects.new('thaw sun', light)
-        thing.rotation_euler = (0.7, 0.25, 0.6)
-        bpy.context.collection.objects.link(thing)
+    try:
+        stage.addLights(scene, stage.addCamera(scene, points))
+        stage.addWorld(scene)
+    except ValueError as error:
+        notes.append(str(error))
     return notes
 
 

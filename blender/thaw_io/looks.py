@@ -35,12 +35,40 @@ def surface(name, attributes, field='', low=0.0, high=1.0):
     return material
 
 
-def obstacle(name):
-    material = bpy.data.materials.get(name) or bpy.data.materials.new(name)
+def plain(name, rgb, roughness):
+    """Returns a material of one linear colour, its shader and its node tree."""
+    material = bpy.data.materials.new(name)
     material.use_nodes = True
     shader = next(node for node in material.node_tree.nodes if node.type == 'BSDF_PRINCIPLED')
-    shader.inputs['Base Color'].default_value = (0.55, 0.56, 0.58, 1)
-    shader.inputs['Roughness'].default_value = 0.6
+    shader.inputs['Base Color'].default_value = (*rgb, 1)
+    shader.inputs['Roughness'].default_value = roughness
+    material.diffuse_color = (*rgb, 1)
+    return material, shader, material.node_tree
+
+
+def solid(name, rgb):
+    return plain(name, rgb, 0.6)[0]
+
+
+def glass(name, rgb):
+    """Returns glass of a linear colour. Shadow rays pass it, since Cycles has no sharp caustics."""
+    # Light through a vessel passes four faces.
+    one = [c**0.25 for c in rgb]
+    material, shader, tree = plain(name, one, 0.0)
+    parts = shader.inputs
+    parts['Transmission' if 'Transmission' in parts else 'Transmission Weight'].default_value = 1
+    parts['IOR'].default_value = 1.45
+    out = next(node for node in tree.nodes if node.type == 'OUTPUT_MATERIAL')
+    kinds = ('LightPath', 'BsdfTransparent', 'MixShader')
+    path, clear, mix = (tree.nodes.new('ShaderNode' + kind) for kind in kinds)
+    clear.inputs['Color'].default_value = (*(0.92 * c for c in one), 1)
+    tree.links.new(path.outputs['Is Shadow Ray'], mix.inputs[0])
+    tree.links.new(shader.outputs[0], mix.inputs[1])
+    tree.links.new(clear.outputs[0], mix.inputs[2])
+    tree.links.new(mix.outputs[0], out.inputs['Surface'])
+    if hasattr(material, 'use_screen_refraction'):  # Eevee before Blender 4.2
+        material.use_screen_refraction, material.shadow_method = True, 'HASHED'
+    material.diffuse_color = (*rgb, 0.25)
     return material
 
 

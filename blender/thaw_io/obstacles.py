@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Obstacles and camera of a scene as Blender objects."""
+"""Obstacles of a scene as Blender objects."""
 import math
 
 import bmesh
 import bpy
 from mathutils import Euler, Matrix, Vector
 
-from . import looks
-from .units import si, vector
+from . import looks, stage
+from .units import colour, listOf, si, vector
 
+GREY = '#bcc1c8'  # solid obstacles without a colour
 PLANE = 4.0  # m, edge of a plane's square, over the extent of the domain
 
 
@@ -174,30 +175,29 @@ def addObstacles(scene, frameOf, meshes):
             left.append(name)
             continue
         thing = bpy.data.objects.new(name, mesh)
-        mesh.materials.append(looks.obstacle('thaw obstacle'))
+        mesh.materials.append(materialOf(name, shape, scene))
         bpy.context.collection.objects.link(thing)
         thing.matrix_world = placeOf(shape, mesh) if place is None else place
         if shape.get('motion'):
             addKeyframes(thing, listOf(shape['motion']), frameOf)
+        if shape.get('until', 'never') != 'never':
+            hideFrom(thing, frameOf(si(shape['until'])))
     return left
 
 
-def listOf(value):
-    return [value] if isinstance(value, dict) else value
+def materialOf(name, shape, scene):
+    """Returns the material of an obstacle. A plane is a floor in pictures, and never glass."""
+    isPlane = 'plane' in shape
+    own = colour(shape['colour']) if 'colour' in shape else None
+    if shape.get('look', 'glass') == 'glass' and not isPlane:
+        return looks.glass(name, own or (1, 1, 1))
+    return looks.solid(name, own or (stage.floorColour(scene) if isPlane else colour(GREY)))
 
 
-def addCamera(scene):
-    """Adds the camera of the scene's pictures. Returns it, or None."""
-    output = scene.get('output', {})
-    given = output.get('camera')
-    if not given:
-        return None
-    camera = bpy.data.cameras.new('thaw camera')
-    camera.sensor_fit, camera.angle = 'VERTICAL', si(given.get('field_of_view', 0.6))
-    thing = bpy.data.objects.new('thaw camera', camera)
-    bpy.context.collection.objects.link(thing)
-    eye, at = (Vector(vector(given.get(key, d))) for key, d in (('from', [1, -1, 1]), ('at', [0, 0, 0])))
-    thing.matrix_world = Matrix.Translation(eye) @ (at - eye).to_track_quat('-Z', 'Y').to_matrix().to_4x4()
-    camera.clip_start = 0.01 * (at - eye).length
-    bpy.context.scene.camera = thing
-    return thing
+def hideFrom(thing, frame):
+    """Hides an object from the first whole frame that is not before `frame`."""
+    first = math.ceil(frame - 1e-6)
+    for hidden, at in ((False, first - 1), (True, first)):
+        thing.hide_render = thing.hide_viewport = hidden
+        for path in ('hide_render', 'hide_viewport'):
+            thing.keyframe_insert(path, frame=at)

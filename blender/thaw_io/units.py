@@ -25,3 +25,8 @@ def colour(text):
     """Returns red, green, blue of "#rrggbb", 0 to 1, linear."""
     parts = [int(text[k : k + 2], 16) / 255 for k in (1, 3, 5)]
     return [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in parts]
+
+
+def listOf(value):
+    """Returns a list of tables; one table may stand alone."""
+    return [value] if isinstance(value, dict) else value

@@ -113,10 +113,17 @@ Preview previewOf(const Scene& scene) {
 
 double diagonal(const ViewBox& box) { return box.empty() ? 0 : length(box.max - box.min); }
 
-std::vector<DrawnLine> linesOf(const Preview& preview, bool through, float unit) {
+/// Returns whether the picture shows the camera. Without it, its lines would cross the picture from outside.
+bool showsCamera(const Mark& camera, const View& view, const Image& image) {
+  float x = 0, y = 0;
+  return !camera.lines.empty() && view.project(single(camera.lines[0][0]), x, y) > 0 && x >= 0 && y >= 0 &&
+         x < static_cast<float>(image.width) && y < static_cast<float>(image.height);
+}
+
+std::vector<DrawnLine> linesOf(const Preview& preview, const View& view, const Image& image, float unit) {
   std::vector<DrawnLine> lines;
   for (const Mark& mark : preview.marks) {
-    if (through && mark.kind == MarkKind::Camera) continue;
+    if (mark.kind == MarkKind::Camera && !showsCamera(mark, view, image)) continue;
     const float width = (mark.kind == MarkKind::Domain ? 1.0f : 2.0f) * unit;
     for (const auto& line : mark.lines) lines.push_back({line[0], line[1], colourOf(mark.kind), width});
   }
@@ -133,11 +140,10 @@ void drawLabels(const Preview& preview, const View& view, Image& image) {
 }
 
 /// Draws marks and names over a picture. points: the points of the picture.
-void drawOver(const Preview& preview, const FrameView& points, const RenderStyle& style, bool through,
-              Image& image) {
+void drawOver(const Preview& preview, const FrameView& points, const RenderStyle& style, Image& image) {
   const View view = viewOf(style.camera, image.width, image.height);
   const float unit = std::max(1.0f, static_cast<float>(image.height) / 960.0f);
-  drawLines(linesOf(preview, through, unit), view, pointDepths(points, view, image, 0.6f * style.spacing),
+  drawLines(linesOf(preview, view, image, unit), view, pointDepths(points, view, image, 0.6f * style.spacing),
             image);
   drawLabels(preview, view, image);
 }
@@ -211,9 +217,7 @@ void drawPicture(const Scene& scene, const fs::path& run, const PreviewOptions& 
   if (!options.through)
     job.camera = overviewOf(scene.output.camera, stage, static_cast<double>(job.width) / job.height);
   FrameView points;
-  job.over = [&](Image& image, const RenderStyle& style) {
-    drawOver(preview, points, style, options.through, image);
-  };
+  job.over = [&](Image& image, const RenderStyle& style) { drawOver(preview, points, style, image); };
   const auto written = renderFrames(job, [&](const fs::path& frame, const std::string& field) {
     points = readFullView(frame, field, {OrientedLook::Mesh, job.spacing, job.periodic, {}});
     if (!job.min && !job.max) removeUniform(points);

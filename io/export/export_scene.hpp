@@ -23,6 +23,7 @@ struct ExportObject {
   std::vector<ComponentMesh> parts;
   std::optional<Pose> pose;  ///< rigid obstacles only: the parts are at rest, and the same in all frames
   bool moves = false;        ///< the pose changes during the run
+  float opacity = 1;
 };
 
 /// Particles. Each vector has one element per particle, or is empty.
@@ -56,7 +57,8 @@ struct ExportScene {
   RenderStyle style;   ///< camera, size of the picture, floors
   double spacing = 0;  ///< m, between particles; 0: unknown
   PeriodicSides periodic;
-  std::vector<std::string> sheetNames;  ///< one per sheet of the scene
+  std::vector<std::string> sheetNames, orientedNames;  ///< one per body of the scene
+  std::vector<std::string> sourceNames;                ///< one per source of particles: bodies, then emitters
 };
 
 /// Returns an object's meshes in the scene: vertices, normals and velocities of an obstacle follow its pose.

@@ -37,9 +37,9 @@ void writePov(const std::filesystem::path& file, const SurfaceFrame& frame, cons
 /// Write the closed meshes of components to one file, with normals and colours at the vertices. PLY is
 /// binary. Each face has its component's index in the list (0, 1, ...), and lines are edges. Ids are split in
 /// halves (id_high, id_low), since PLY has no 64-bit type. Vertices have the same index as "object", and all
-/// fields that one of the meshes has (mesh_fields.hpp). OBJ has an object `component_LABEL` for each, or one
-/// with its name, and lines as `l`. The line of a mesh that is cut ends with ", which extends through ..."
-/// (cutNote; else empty).
+/// fields that one of the meshes has (mesh_fields.hpp). OBJ has an object with the name or the body of each,
+/// or else `component_LABEL`, and lines as `l`. The line of a mesh that is cut ends with ", which extends
+/// through ..." (cutNote; else empty).
 void writeMeshPly(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes);
 void writeMeshObj(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes);
 std::string cutNote(const ComponentMesh& mesh);

@@ -11,7 +11,7 @@ namespace thaw {
 
 namespace {
 
-constexpr std::uint8_t vertexCell = 1, triangleCell = 5;  // vtkCellType.h
+constexpr std::uint8_t vertexCell = 1, lineCell = 3, triangleCell = 5;  // vtkCellType.h
 constexpr std::uint64_t pointsOfChunk = 16384;
 
 /// Appends a field of an object with `points` points, or `lacking` for each if it has none. before: points of
@@ -26,6 +26,7 @@ void append(std::optional<std::vector<T>>& all, const std::vector<T>& field, std
   else all->resize(before + points, lacking);
 }
 
+/// Adds all but the lines, which follow the triangles of all meshes.
 void addMesh(VtkHdfFrame& f, const ComponentMesh& m, std::int32_t number) {
   const std::size_t n = m.mesh.vertices.size();
   const auto first = static_cast<std::int64_t>(f.points.size());
@@ -92,12 +93,12 @@ std::vector<std::pair<std::string, DatasetShape>> pointFields(const VtkHdfFrame&
 }
 
 std::int64_t particlesOf(const VtkHdfFrame& f) {
-  return static_cast<std::int64_t>(f.connectivity.size()) - 3 * f.triangles;
+  return static_cast<std::int64_t>(f.connectivity.size()) - 3 * f.triangles - 2 * f.lines;
 }
 
 std::vector<Dataset> datasetsOf(const VtkHdfFrame& f) {
   constexpr std::uint64_t chunk = pointsOfChunk, few = 256;
-  const auto cells = static_cast<std::uint64_t>(f.triangles + particlesOf(f));
+  const auto cells = static_cast<std::uint64_t>(f.triangles + f.lines + particlesOf(f));
   std::vector<Dataset> all{{"Points", {Element::F32, chunk, 3}, f.points.size()},
                            {"Connectivity", {Element::I64, 4 * chunk, 0}, f.connectivity.size()},
                            {"Offsets", {Element::I64, 2 * chunk, 0}, cells + 1},
@@ -130,7 +131,15 @@ VtkHdfFrame vtkHdfFrameOf(const ExportScene& scene) {
   VtkHdfFrame f;
   f.time = scene.time;
   std::int32_t number = 0;
-  for (const ComponentMesh& part : placedParts(scene)) addMesh(f, part, number++);
+  std::vector<std::int64_t> lines;
+  for (const ComponentMesh& part : placedParts(scene)) {
+    const auto first = static_cast<std::int64_t>(f.points.size());
+    for (const auto& l : part.lines)
+      for (const std::uint32_t v : l) lines.push_back(first + v);
+    addMesh(f, part, number++);
+  }
+  f.connectivity.insert(f.connectivity.end(), lines.begin(), lines.end());
+  f.lines = static_cast<std::int64_t>(lines.size() / 2);
   if (scene.points) addPoints(f, *scene.points);
   return f;
 }
@@ -161,11 +170,12 @@ void VtkHdfSeries::add(const VtkHdfFrame& f) {
     for (const Dataset& d : datasetsOf(f)) file_.createDataset("/VTKHDF/" + d.name, d.shape);
   }
   const std::size_t n = f.points.size();
-  const std::int64_t cells = f.triangles + particlesOf(f);
+  const std::int64_t cells = f.triangles + f.lines + particlesOf(f);
   std::vector<std::int64_t> offsets{0};
-  for (std::int64_t c = 0; c < cells; c++) offsets.push_back(offsets.back() + (c < f.triangles ? 3 : 1));
+  for (std::int64_t c = 0; c < cells; c++)
+    offsets.push_back(offsets.back() + (c < f.triangles ? 3 : c < f.triangles + f.lines ? 2 : 1));
   std::vector<std::uint8_t> types(static_cast<std::size_t>(cells), vertexCell);
-  std::fill_n(types.begin(), f.triangles, triangleCell);
+  std::fill_n(std::fill_n(types.begin(), f.triangles, triangleCell), f.lines, lineCell);
   addSteps(f, cells);
   file_.append("/VTKHDF/Points", n, f.points.data());
   file_.append("/VTKHDF/Connectivity", f.connectivity.size(), f.connectivity.data());

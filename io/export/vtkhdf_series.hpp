@@ -16,8 +16,9 @@ namespace thaw {
 struct VtkHdfFrame {
   double time = 0;                         ///< s
   std::vector<Vec3f> points;               ///< m
-  std::vector<std::int64_t> connectivity;  ///< three points for a triangle, one for a particle
-  std::int64_t triangles = 0;              ///< the first cells; all others are particles
+  std::vector<std::int64_t> connectivity;  ///< three points for a triangle, two for a line of a curve, one
+                                           ///< for a particle; in this order
+  std::int64_t triangles = 0, lines = 0;   ///< numbers of cells; all others are particles
   /// Values of each point, or nothing if all objects lack the field. An object that lacks it has zero normals
   /// and velocities, and NaN for the others.
   std::optional<std::vector<Vec3f>> normals, velocities;

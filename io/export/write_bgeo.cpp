@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "io/export/out_file.hpp"
+#include "io/export/polylines.hpp"
 #include "io/export/texture_seams.hpp"
 #include "io/hdf5/io_error.hpp"
 
@@ -122,33 +123,71 @@ struct PolygonLayout {
   bool wide = false, textured = false;
 };
 
-/// Writes triangles in runs.
-void writeTriangles(const std::vector<ComponentMesh>& meshes, std::size_t triangles,
-                    const PolygonLayout& layout, BigEndian& out) {
-  std::size_t done = 0;
-  std::uint32_t first = 0;
-  for (const ComponentMesh& mesh : meshes) {
-    std::vector<std::array<Uv, 3>> corners;
-    if (layout.textured && isTextured(mesh)) corners = cornerUvs(mesh.mesh, mesh.uvs);
-    for (std::size_t k = 0; k < mesh.mesh.triangles.size(); k++) {
-      const auto& t = mesh.mesh.triangles[k];
-      if (done % longestRun == 0) {
-        out.put(std::int32_t{-1});  // a run
-        out.put(static_cast<std::uint16_t>(std::min<std::size_t>(longestRun, triangles - done)));
-        out.put(std::int32_t{1});  // polygons
-      }
-      done++;
-      out.put(std::int32_t{3});
-      out.put('<');  // closed
-      // Houdini's front is clockwise
-      for (const std::size_t c : {0u, 2u, 1u}) {
-        if (layout.wide) out.put(first + t[c]);
-        else out.put(static_cast<std::uint16_t>(first + t[c]));
-        const Uv uv = corners.empty() ? Uv{0, 0} : corners[k][c];
-        if (layout.textured) out.put(Vec3f{uv[0], uv[1], 0});
-      }
+/// Writes polygons in runs.
+class PolygonRuns {
+ public:
+  PolygonRuns(std::size_t polygons, const PolygonLayout& layout, BigEndian& out)
+      : left_(polygons), layout_(layout), out_(out) {}
+  /// Begins a polygon or, if it is open, a curve.
+  void begin(std::size_t corners, bool closed) {
+    if (inRun_ == 0) {
+      inRun_ = std::min<std::size_t>(longestRun, left_);
+      out_.put(std::int32_t{-1});  // a run
+      out_.put(static_cast<std::uint16_t>(inRun_));
+      out_.put(std::int32_t{1});  // polygons
     }
-    first += static_cast<std::uint32_t>(mesh.mesh.vertices.size());
+    inRun_--, left_--;
+    out_.put(static_cast<std::int32_t>(corners));
+    out_.put(closed ? '<' : ':');
+  }
+  void corner(std::uint32_t point, const Uv& uv) {
+    if (layout_.wide) out_.put(point);
+    else out_.put(static_cast<std::uint16_t>(point));
+    if (layout_.textured) out_.put(Vec3f{uv[0], uv[1], 0});
+  }
+
+ private:
+  std::size_t left_, inRun_ = 0;
+  PolygonLayout layout_;
+  BigEndian& out_;
+};
+
+/// first: number of the mesh's first point.
+void writeTriangles(const ComponentMesh& mesh, std::uint32_t first, bool textured, PolygonRuns& runs) {
+  std::vector<std::array<Uv, 3>> corners;
+  if (textured && isTextured(mesh)) corners = cornerUvs(mesh.mesh, mesh.uvs);
+  for (std::size_t k = 0; k < mesh.mesh.triangles.size(); k++) {
+    const auto& t = mesh.mesh.triangles[k];
+    runs.begin(3, true);
+    // Houdini's front is clockwise
+    for (const std::size_t c : {0u, 2u, 1u})
+      runs.corner(first + t[c], corners.empty() ? Uv{0, 0} : corners[k][c]);
+  }
+}
+
+/// Curves of each mesh, and the number of all triangles and curves.
+struct PolygonPlan {
+  std::vector<std::vector<std::vector<std::uint32_t>>> curves;
+  std::size_t count = 0;
+  explicit PolygonPlan(const std::vector<ComponentMesh>& meshes) {
+    for (const ComponentMesh& m : meshes) {
+      curves.push_back(polylinesOf(m.lines));
+      count += m.mesh.triangles.size() + curves.back().size();
+    }
+  }
+};
+
+void writePolygons(const std::vector<ComponentMesh>& meshes, const PolygonPlan& plan,
+                   const PolygonLayout& layout, BigEndian& out) {
+  PolygonRuns runs(plan.count, layout, out);
+  std::uint32_t first = 0;
+  for (std::size_t m = 0; m < meshes.size(); m++) {
+    writeTriangles(meshes[m], first, layout.textured, runs);
+    for (const std::vector<std::uint32_t>& curve : plan.curves[m]) {
+      runs.begin(curve.size(), false);
+      for (const std::uint32_t v : curve) runs.corner(first + v, {0, 0});
+    }
+    first += static_cast<std::uint32_t>(meshes[m].mesh.vertices.size());
   }
 }
 
@@ -156,17 +195,17 @@ void writeTriangles(const std::vector<ComponentMesh>& meshes, std::size_t triang
 
 void writeBgeo(const std::filesystem::path& file, const ExportScene& scene) {
   const std::vector<ComponentMesh> meshes = placedParts(scene);
-  std::size_t points = scene.points ? scene.points->positions.size() : 0, triangles = 0;
-  for (const ComponentMesh& m : meshes)
-    points += m.mesh.vertices.size(), triangles += m.mesh.triangles.size();
+  const PolygonPlan plan(meshes);
+  std::size_t points = scene.points ? scene.points->positions.size() : 0;
+  for (const ComponentMesh& m : meshes) points += m.mesh.vertices.size();
   if (points > std::numeric_limits<std::int32_t>::max() ||
-      triangles > std::numeric_limits<std::int32_t>::max())
+      plan.count > std::numeric_limits<std::int32_t>::max())
     throw IoError(file.string(), "cannot be written: bgeo allows at most 2^31 points and polygons");
   const bool textured = std::any_of(meshes.begin(), meshes.end(), isTextured);
   BigEndian out(file);
   out.text("BgeoV");
   out.put(std::int32_t{5});
-  for (const std::size_t n : {points, triangles}) out.put(static_cast<std::int32_t>(n));
+  for (const std::size_t n : {points, plan.count}) out.put(static_cast<std::int32_t>(n));
   // groups of points and primitives; attributes of points, vertices, primitives and of all
   for (const std::int32_t n : {0, 0, BgeoPoint::attributes, textured ? 1 : 0, 0, 0}) out.put(n);
   BgeoPoint::declare(out);
@@ -174,7 +213,7 @@ void writeBgeo(const std::filesystem::path& file, const ExportScene& scene) {
   for (const ComponentMesh& m : meshes) writeVertices(m, number++, out);
   if (scene.points) writeParticles(*scene.points, out);
   if (textured) out.attribute("uv", 3, floatType);  // Houdini calls corners of polygons vertices
-  writeTriangles(meshes, triangles, {points > 0xffff, textured}, out);
+  writePolygons(meshes, plan, {points > 0xffff, textured}, out);
   out.put('\x00');  // no extra data
   out.put('\xff');
   out.finish();

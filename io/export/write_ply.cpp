@@ -118,7 +118,8 @@ void writeMeshPly(const std::filesystem::path& file, const std::vector<Component
   out.text(
       fmt::format("ply\nformat {} 1.0\ncomment surface of thaw, m; components in this order:\n", ending));
   for (const ComponentMesh& m : meshes)
-    out.text(m.name.empty() ? fmt::format("comment component {}{}\n", m.component, cutNote(m))
+    out.text(m.name.empty() ? fmt::format("comment component {}{}{}\n", m.component,
+                                          m.body.empty() ? "" : " (" + m.body + ")", cutNote(m))
                             : fmt::format("comment object {}\n", m.name));
   const VertexProperties properties(meshes);
   out.text(fmt::format(
@@ -158,6 +159,11 @@ void writeMeshPly(const std::filesystem::path& file, const std::vector<Component
 namespace {
 
 using Lines = fmt::memory_buffer;
+
+std::string objectName(const ComponentMesh& m) {
+  if (!m.name.empty()) return m.name;
+  return m.body.empty() ? fmt::format("component_{}", m.component) : m.body;
+}
 
 /// Writes triangles with normals, and texture coordinates if there are some. firstUv: number of the first
 /// `vt`, set to that of the next mesh.
@@ -199,8 +205,7 @@ void writeMeshObj(const std::filesystem::path& file, const std::vector<Component
     lines.clear();
     if (const std::string note = cutNote(m); !note.empty())
       fmt::format_to(std::back_inserter(lines), "# component {}{}\n", m.component, note);
-    if (m.name.empty()) fmt::format_to(std::back_inserter(lines), "o component_{}\n", m.component);
-    else fmt::format_to(std::back_inserter(lines), "o {}\n", m.name);
+    fmt::format_to(std::back_inserter(lines), "o {}\n", objectName(m));
     for (std::size_t v = 0; v < m.mesh.vertices.size(); v++) {
       const Vec3d& x = m.mesh.vertices[v];
       const Vec3f &c = m.colours[v], &n = m.normals[v];

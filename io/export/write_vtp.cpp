@@ -170,12 +170,14 @@ struct MeshColumns {
   std::vector<std::uint32_t> objects;
   std::vector<std::int64_t> labels;
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::array<std::uint32_t, 2>> lines;
 
   explicit MeshColumns(const std::vector<ComponentMesh>& meshes) {
     const MeshFields fields(meshes);
     for (const ComponentMesh& m : meshes) {
       const auto first = static_cast<std::uint32_t>(points.size());
       for (const auto& t : m.mesh.triangles) triangles.push_back({first + t[0], first + t[1], first + t[2]});
+      for (const auto& l : m.lines) lines.push_back({first + l[0], first + l[1]});
       for (std::size_t v = 0; v < m.mesh.vertices.size(); v++) {
         points.push_back(single(m.mesh.vertices[v]));
         normals.push_back(m.normals[v]);
@@ -207,15 +209,16 @@ struct MeshColumns {
 
 void writeMeshVtp(const std::filesystem::path& file, double time, const std::vector<ComponentMesh>& meshes) {
   const MeshColumns columns(meshes);
-  const Cells polygons(columns.triangles);
+  const Cells polygons(columns.triangles), edges(columns.lines);
   Appended a;
   a.xml = "<PointData Normals=\"normal\">\n";
   columns.addTo(a);
   a.xml += "</PointData>\n<Points>\n";
   a.addVector("type=\"Float32\" Name=\"Points\" NumberOfComponents=\"3\"", columns.points);
   a.xml += "</Points>\n";
+  if (!columns.lines.empty()) edges.addTo(a, "Lines");
   polygons.addTo(a, "Polys");
-  writePolyData(file, time, columns.points.size(), {0, 0, columns.triangles.size()}, a);
+  writePolyData(file, time, columns.points.size(), {0, columns.lines.size(), columns.triangles.size()}, a);
 }
 
 }  // namespace thaw

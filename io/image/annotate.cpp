@@ -79,6 +79,8 @@ void drawColourBar(Image& image, const ColourScale& scale) {
   const int top = static_cast<int>(0.16 * image.height), tall = static_cast<int>(0.5 * image.height),
             left = static_cast<int>(image.width - bar.margin - bar.widest - bar.beside - bar.wide);
   const Palette palette = paletteOf(scale.map);
+  const double right = left + bar.wide;
+  const Rgb line = readableOn(image, {right, top + 0.0, right + bar.beside, top + 0.0 + tall}, ink);
   for (int y = -1; y <= tall; y++)
     for (int x = -1; x <= bar.wide; x++) {
       const bool edge = y < 0 || x < 0 || y == tall || x == bar.wide;
@@ -87,14 +89,14 @@ void drawColourBar(Image& image, const ColourScale& scale) {
                                ? scale.min + (1 - (y + 0.5) / tall) * (scale.max - scale.min)
                                : scale.min;
       mix(image, left + x, top + y,
-          edge ? ink : palette[static_cast<std::size_t>(paletteIndex(scale, value))], edge ? 0.5 : 1);
+          edge ? line : palette[static_cast<std::size_t>(paletteIndex(scale, value))], edge ? 0.5 : 1);
     }
   for (std::size_t i = 0; i < bar.ticks.values.size(); i++) {
     const double t = scale.max > scale.min ? (bar.ticks.values[i] - scale.min) / (scale.max - scale.min)
                                            : 0.5;
     const double y = top + (1 - t) * tall;
     for (int x = 0; x < static_cast<int>(5 * bar.unit) + 1; x++)
-      mix(image, left + bar.wide + 1 + x, static_cast<int>(std::min(y, top + tall - 1.0)), ink, 0.8);
+      mix(image, left + bar.wide + 1 + x, static_cast<int>(std::min(y, top + tall - 1.0)), line, 0.8);
     drawText(image, left + bar.wide + bar.beside, y + bar.text / 2, bar.ticks.labels[i],
              {bar.text, ink, Align::Left});
   }

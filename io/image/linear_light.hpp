@@ -18,6 +18,7 @@ inline float decoded(std::uint8_t c) {
   return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f);
 }
 inline Light toLinear(Rgb c) { return {decoded(c.r), decoded(c.g), decoded(c.b)}; }
+inline Light product(const Light& a, const Light& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 inline Light mixed(const Light& a, const Light& b, float t) { return (1 - t) * a + t * b; }
 
 /// toLinear by table.

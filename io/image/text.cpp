@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "io/image/linear_light.hpp"
+
 namespace thaw {
 
 namespace {
@@ -184,7 +186,38 @@ void drawGlyph(Image& image, double left, double baseline, char c, const TextSty
     }
 }
 
+/// Returns the relative luminance, 0 to 1.
+double luminance(const Light& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
+
+double contrast(double a, double b) { return (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05); }
+
+/// Returns the mean luminance in the box, or that of white outside of the picture.
+double meanLuminance(const Image& image, const PixelBox& box) {
+  const auto within = [](double x, int size) { return std::clamp(static_cast<int>(x), 0, size); };
+  const int x0 = within(box.left, image.width), x1 = within(std::ceil(box.right), image.width),
+            y0 = within(box.top, image.height), y1 = within(std::ceil(box.bottom), image.height);
+  double sum = 0;
+  for (int y = y0; y < y1; y++)
+    for (int x = x0; x < x1; x++) sum += luminance(toLinear(image.at(x, y)));
+  return x1 > x0 && y1 > y0 ? sum / ((x1 - x0) * (y1 - y0)) : 1;
+}
+
 }  // namespace
+
+Rgb readableOn(const Image& image, const PixelBox& box, Rgb colour) {
+  constexpr double least = 4.5, good = 7;
+  constexpr int steps = 16;
+  const double behind = meanLuminance(image, box);
+  if (contrast(luminance(toLinear(colour)), behind) >= least) return colour;
+  const std::uint8_t end = contrast(behind, 1) > contrast(behind, 0) ? 255 : 0;
+  const auto toward = [&](std::uint8_t c, int k) {
+    return static_cast<std::uint8_t>(c + (end - c) * k / steps);
+  };
+  Rgb best = colour;
+  for (int k = 1; k <= steps && contrast(luminance(toLinear(best)), behind) < good; k++)
+    best = {toward(colour.r, k), toward(colour.g, k), toward(colour.b, k)};
+  return best;
+}
 
 double textWidth(std::string_view text, double height) {
   double dots = -gap;
@@ -211,8 +244,10 @@ std::string fittedText(std::string_view text, double height, double width) {
 void drawText(Image& image, double x, double y, std::string_view text, const TextStyle& style) {
   const double width = textWidth(text, style.height);
   double at = style.align == Align::Left ? x : style.align == Align::Centre ? x - width / 2 : x - width;
+  TextStyle readable = style;
+  readable.colour = readableOn(image, {at, y - style.height, at + width, y}, style.colour);
   forCharacters(text, [&](char c) {
-    drawGlyph(image, at, y, c, style);
+    drawGlyph(image, at, y, c, readable);
     at += (extentOf(c).width + gap) * style.height / 6;
   });
 }

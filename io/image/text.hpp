@@ -11,8 +11,8 @@ namespace thaw {
 enum class Align { Left, Centre, Right };
 
 struct TextStyle {
-  double height = 14;  ///< pixels, of a capital letter
-  Rgb colour{40, 44, 52};
+  double height = 14;      ///< pixels, of a capital letter
+  Rgb colour{40, 44, 52};  ///< made lighter or darker where it would be hard to read
   Align align = Align::Left;
 };
 
@@ -22,6 +22,15 @@ double textWidth(std::string_view text, double height);
 
 /// Returns the text if it fits into `width` (pixels), else its beginning with "..."; "" if nothing fits.
 std::string fittedText(std::string_view text, double height, double width);
+
+/// Pixels from (left, top) to (right, bottom), exclusive.
+struct PixelBox {
+  double left = 0, top = 0, right = 0, bottom = 0;
+};
+
+/// Returns the colour, made lighter or darker until its contrast with the mean of the picture in the box is
+/// at least 4.5, which is the ratio of WCAG 2 for small text.
+Rgb readableOn(const Image& image, const PixelBox& box, Rgb colour);
 
 /// Draws one line of text with its baseline's left end, centre or right end at (x, y), in pixels from the
 /// upper left corner.

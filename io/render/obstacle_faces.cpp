@@ -95,6 +95,14 @@ void addObstacle(const DrawnObstacle& o, const Pose& pose, FrameView& view) {
   view.solidFaces += o.triangles.size();
 }
 
+/// Adds points at all keyframes of their motion.
+void addMoving(const std::vector<Vec3d>& points, const std::vector<Keyframe>& motion, ViewBox& box) {
+  std::vector<Pose> poses{poseAt(motion, 0)};
+  for (const Keyframe& key : motion) poses.push_back(poseAt(motion, key.time));
+  for (const Pose& pose : poses)
+    for (const Vec3d& x : points) box.add(fromRest(pose, x));
+}
+
 }  // namespace
 
 std::vector<DrawnObstacle> solidObstacles(const Walls& walls) {
@@ -127,11 +135,18 @@ std::vector<DrawnObstacle> solidObstacles(const Walls& walls) {
 }
 
 void addToBox(const std::vector<DrawnObstacle>& obstacles, ViewBox& box) {
-  for (const DrawnObstacle& o : obstacles) {
-    std::vector<Pose> poses{poseAt(o.motion, 0)};
-    for (const Keyframe& key : o.motion) poses.push_back(poseAt(o.motion, key.time));
-    for (const Pose& pose : poses)
-      for (const Vec3d& x : o.places) box.add(fromRest(pose, x));
+  for (const DrawnObstacle& o : obstacles) addMoving(o.places, o.motion, box);
+}
+
+void addGlassToBox(const Walls& walls, ViewBox& box) {
+  for (const Wall& wall : walls.list) {
+    const Bounds b = wall.shape->bounds();
+    const bool bounded = std::isfinite(length(b.max - b.min));
+    if (!bounded || wall.isImage() || wall.properties.look != ObstacleLook::Glass) continue;
+    std::vector<Vec3d> corners;
+    for (int k = 0; k < 8; k++)
+      corners.push_back({k & 1 ? b.max.x : b.min.x, k & 2 ? b.max.y : b.min.y, k & 4 ? b.max.z : b.min.z});
+    addMoving(corners, wall.properties.motion, box);
   }
 }
 

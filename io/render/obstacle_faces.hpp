@@ -27,6 +27,8 @@ std::vector<DrawnObstacle> solidObstacles(const Walls& walls);
 
 /// Adds the places of the obstacles at their keyframes to a box.
 void addToBox(const std::vector<DrawnObstacle>& obstacles, ViewBox& box);
+/// Adds the boxes of bounded glass obstacles at their keyframes, whose shadows the floor shows.
+void addGlassToBox(const Walls& walls, ViewBox& box);
 
 /// Adds the obstacles that are present at the time of the view. Particles become balls of
 /// discs of this radius (m).

@@ -11,6 +11,7 @@
 
 #include "io/hdf5/make_folder.hpp"
 #include "io/image/annotate.hpp"
+#include "io/image/linear_light.hpp"
 #include "io/image/parallel_for.hpp"
 #include "io/render/light/surface_normals.hpp"
 #include "io/render/obstacle_faces.hpp"
@@ -121,6 +122,11 @@ Image pictureOf(const FrameView& frame, const FrameJob& job, const RenderStyle& 
 
 }  // namespace
 
+/// Returns the linear colour of glass: clear unless the scene gives one.
+Vec3f glassColour(std::uint32_t colour) {
+  return colour == Obstacle{}.colour ? Vec3f{1, 1, 1} : toLinear(rgbOf(colour));
+}
+
 void addWalls(const Walls& walls, double time, RenderStyle& style) {
   Walls now = walls;
   moveWalls(now, time);
@@ -129,7 +135,8 @@ void addWalls(const Walls& walls, double time, RenderStyle& style) {
     if (const auto plane = planeOf(wall); plane && plane->normal.z > 0.34) style.floors.push_back(*plane);
     const Bounds box = wall.shape->bounds();
     if (std::isfinite(length(box.max - box.min)) && wall.properties.look == ObstacleLook::Glass)
-      style.glasses.push_back({wall.shape, wall.pose.rotation, wall.pose.move});
+      style.glasses.push_back(
+          {wall.shape, wall.pose.rotation, wall.pose.move, glassColour(wall.properties.colour)});
   }
 }
 
@@ -161,6 +168,7 @@ std::vector<fs::path> renderFrames(const FrameJob& job, const ReadFrame& read) {
   style.lighting = job.lighting;
   style.stage = common.box;
   const std::vector<DrawnObstacle> solids = solidObstacles(job.walls);
+  addGlassToBox(job.walls, style.stage);
   addToBox(solids, style.stage);  // floors fade away from all that casts shadows
   style.camera = job.camera ? *job.camera
                             : fittedCamera(common.box, static_cast<double>(job.width) / job.height);

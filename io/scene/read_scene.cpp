@@ -46,23 +46,27 @@ std::vector<std::string> linesOf(std::vector<SceneError> errors) {
 
 /// Drops errors of checks that an unknown key of their table may explain. first: number of the first error
 /// that concerns several tables. These are dropped at a table with an unknown key, and if the file has one
-/// outside of all tables.
+/// outside of all tables. The latter explains a missing name unless it resembles another table.
 void dropFollowOnErrors(std::vector<SceneError>& errors, std::size_t first) {
   using Kind = SceneError::Kind;
-  std::set<std::string> tables;
+  std::set<std::string> tables, meant;  // meant: by unknown keys outside of all tables
   std::vector<SourcePlace> places;
   for (const SceneError& e : errors)
     if (e.kind == Kind::UnknownKey) {
       tables.insert(e.table);
+      if (e.table.empty()) meant.insert(e.meant);
       places.insert(places.end(), e.places.begin(), e.places.end());
     }
   const auto at = [](const SourcePlace& p) { return std::tie(p.file, p.line, p.column); };
+  const auto explained = [&](const SceneError& e) {
+    return e.table.empty() ? !meant.empty() : meant.contains("") || meant.contains(e.table);
+  };
   std::vector<SceneError> kept;
   for (std::size_t k = 0; k < errors.size(); k++) {
     const SceneError& e = errors[k];
     const bool here = std::ranges::any_of(places, [&](const SourcePlace& p) { return at(p) == at(e.where); });
     const bool follows = k < first ? e.kind == Kind::Check && tables.count(e.table) > 0
-                                   : here || tables.count("") > 0;
+                                   : here || explained(e);
     if (!follows) kept.push_back(e);
   }
   errors = std::move(kept);

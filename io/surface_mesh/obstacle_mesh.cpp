@@ -45,11 +45,12 @@ TriangleMesh planeMesh(const Vec3d& normal, double height, const Domain& domain)
   std::vector<Vec3d> square{foot - half * u - half * v, foot + half * u - half * v,
                             foot + half * u + half * v, foot - half * u + half * v};
   std::vector<Vec3d> polygon = square;
+  const double margin = 1e-9 * half;  // a plane at a side of the domain is in it
   for (int a = 0; a < 3; a++) {
     Vec3d axis{};
     axis[a] = 1;
-    polygon = clipped(polygon, axis, domain.max[a]);
-    polygon = clipped(polygon, -axis, -domain.min[a]);
+    polygon = clipped(polygon, axis, domain.max[a] + margin);
+    polygon = clipped(polygon, -axis, -domain.min[a] + margin);
   }
   TriangleMesh mesh;
   mesh.vertices = polygon.size() >= 3 ? polygon : square;

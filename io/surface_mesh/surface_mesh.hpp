@@ -15,7 +15,8 @@ namespace thaw {
 /// Triangles around one component. Every edge has two triangles with opposite directions.
 struct ComponentMesh {
   std::uint64_t component = 0;
-  std::string name;  ///< name of an obstacle; empty for other meshes
+  std::string name;  ///< an obstacle, a sheet or an oriented body; empty for components of a surface
+  std::string body;  ///< name of a component after its body or emitter; empty if that is unknown
   TriangleMesh mesh;
   std::vector<Vec3f> colours;             ///< per vertex, sRGB 0 to 255, from nearby surfels
   std::vector<Vec3f> normals;             ///< per vertex, unit, outward

@@ -9,6 +9,8 @@ import sys
 
 import bpy
 import numpy as np
+from bpy_extras.object_utils import world_to_camera_view as seenAt
+from mathutils import Vector
 
 ZIP, RUN, FOLDER = sys.argv[sys.argv.index('--') + 1 :]
 
@@ -26,18 +28,16 @@ def values(mesh, name, size):
 
 
 def render(name, blur):
+    """Returns the rows of a small picture from below."""
     scene = bpy.context.scene
     scene.render.engine = 'CYCLES'
     scene.cycles.samples, scene.cycles.use_denoising, scene.cycles.seed = 8, False, 1
     scene.render.resolution_x, scene.render.resolution_y, scene.render.resolution_percentage = 160, 120, 100
     scene.render.use_motion_blur, scene.render.motion_blur_shutter = blur, 1.0
     scene.render.filepath = os.path.join(FOLDER, name)
-    scene.world = scene.world or bpy.data.worlds.new('world')
-    scene.world.color = (0.6, 0.65, 0.7)
     bpy.ops.render.render(write_still=True)
     image = bpy.data.images.load(scene.render.filepath)
     pixels = np.array(image.pixels[:]).reshape(120, 160, 4)[..., :3]
-    assert pixels.std() > 0.015, (name, pixels.std())
     return pixels
 
 
@@ -69,6 +69,7 @@ def checkSurface():
     assert (speed[:, 2].mean() < 0) and 0.1 < abs(speed[:, 2].mean()) < 5
     # Faster playback lengthens the blur: the upper half of the picture, where the bust falls, has soft edges.
     sharp, soft = render('sharp.png', False), render('blurred.png', True)
+    assert sharp.std() > 0.015, sharp.std()
     edge = lambda p: np.abs(np.diff(p[60:].mean(axis=2), axis=0)).max()  # noqa: E731
     assert np.abs(sharp - soft).max() > 0.1 and edge(soft) < edge(sharp), (edge(soft), edge(sharp))
     # The handler works after saving and loading.
@@ -86,7 +87,7 @@ def checkParticles():
     thing = bpy.context.view_layer.objects.active
     points = thing.evaluated_get(bpy.context.evaluated_depsgraph_get())
     assert len(thing.modifiers) == 1 and len(thing.data.vertices) > 100 and points
-    render('particles.png', False)
+    assert render('particles.png', False).std() > 0.015
 
 
 def checkMeshObstacles():
@@ -110,6 +111,71 @@ def checkMeshObstacles():
         bpy.context.scene.frame_set(frame)
         places = np.array([rock.matrix_world @ v.co for v in rock.data.vertices])
         assert np.abs(places - turned(rest, angle) - (move, 0, 0)).max() < 1e-5, (frame, places)
+
+
+def shaderOf(name):
+    [material] = bpy.data.objects[name].data.materials
+    return next(node for node in material.node_tree.nodes if node.type == 'BSDF_PRINCIPLED').inputs
+
+
+def isFacing(thing, to):
+    return np.dot(thing.matrix_world.to_3x3().col[2], to / np.linalg.norm(to)) > 0.9999
+
+
+def checkObstacleLooks():
+    """Obstacles have look and colour of the scene, and disappear at `until`."""
+    fresh()
+    from thaw_io import obstacles
+
+    box = {'box': {'size': ['1 m', '1 m', '1 m']}}
+    given = [
+        {'name': 'wood', 'look': 'solid', 'colour': '#ff0000', 'until': '0.25 s', **box},
+        {'name': 'cup', 'colour': '#00ff00', 'motion': [{'time': 0}, {'time': 1, 'move': [1, 0, 0]}], **box},
+        {'name': 'floor', 'plane': {}, 'until': 'never'},
+    ]
+    scene = {'obstacle': given, 'output': {'background': '#0000ff'}}
+    assert not obstacles.addObstacles(scene, lambda time: 1 + 10 * time, None)
+    colours = {
+        name: tuple(shaderOf(name)['Base Color'].default_value)[:3] for name in ('wood', 'cup', 'floor')
+    }
+    assert colours == {'wood': (1, 0, 0), 'cup': (0, 1, 0), 'floor': (0, 0, 1)}, colours
+    clear = {name: shaderOf(name)['Transmission'].default_value for name in ('wood', 'cup', 'floor')}
+    assert clear == {'wood': 0, 'cup': 1, 'floor': 0}, clear
+    # 0.25 s lies between the frames 3 and 4.
+    for frame, hidden in ((1, False), (3, False), (4, True), (9, True), (2, False)):
+        bpy.context.scene.frame_set(frame)
+        wood, cup = bpy.data.objects['wood'], bpy.data.objects['cup']
+        assert (wood.hide_render, wood.hide_viewport) == (hidden, hidden), frame
+        assert not cup.hide_render, frame
+
+
+def checkLights():
+    """Lights, world and a fitted camera follow the scene; without lights there is the sun of pictures."""
+    fresh()
+    from thaw_io import importer
+
+    lights = [
+        {'direction': [1, -1, 1], 'strength': 0.5, 'colour': '#ff0000', 'size': '30 deg'},
+        {'direction': [0, 0, 1]},
+    ]
+    output = {'light': lights, 'ambient': 0.25, 'background': '#0000ff', 'background_top': '#ff0000'}
+    points = np.random.default_rng(1).uniform((-0.1, 2.9, 0), (0.1, 3.1, 0.4), (500, 3))
+    bpy.context.scene.render.resolution_x, bpy.context.scene.render.resolution_y = 160, 120
+    assert importer.addSetting({'output': output}, lambda time: 1, None, points) == []
+    first, second = bpy.data.objects['thaw light 1'], bpy.data.objects['thaw light 2']
+    assert isFacing(first, (1, -1, 1)) and isFacing(second, (0, 0, 1))
+    assert np.allclose(first.data.color, (1, 0, 0)) and abs(first.data.angle - math.radians(30)) < 1e-5
+    assert abs(first.data.energy / second.data.energy - 0.5) < 1e-5
+    bpy.context.view_layer.update()
+    film = bpy.context.scene
+    seen = np.array([seenAt(film, film.camera, Vector(p)) for p in points])
+    assert seen[:, :2].min() > 0 and seen[:, :2].max() < 1 and np.ptp(seen[:, :2], axis=0).max() > 0.6
+    pixels = render('empty.png', False)
+    assert pixels[..., 2].min() > 0.3 and pixels[..., 1].max() < 0.1, 'the background'
+    fresh()
+    assert importer.addSetting({'output': {'sun': [0, 1, 1]}}, lambda time: 1, None, points) == []
+    [sun] = [thing for thing in bpy.context.scene.objects if thing.type == 'LIGHT']
+    assert isFacing(sun, (0, 1, 1))
 
 
 def checkRefusals():
@@ -177,6 +243,8 @@ try:
     checkSurface()
     checkParticles()
     checkMeshObstacles()
+    checkObstacleLooks()
+    checkLights()
     checkRefusals()
     checkExport()
 except BaseException:

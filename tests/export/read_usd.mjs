@@ -119,6 +119,7 @@ isNear('light_2', 'xformOp:transform', [...Array(8), 0, -1, 0, 0, 0, 0, 0, 1]);
 isNear('light_2', 'inputs:color', [1, 0, 0]);
 isNear('light_2', 'inputs:intensity', 0.44 * Math.PI);
 isNear('sky', 'inputs:intensity', 0.5 * 0.58);
+isNear('lid', 'primvars:displayOpacity', 0.25); // glass
 
 for (const file of [crateFile, textFile]) {
   const scene = new USDLoader().parse(bytesOf(file).buffer);

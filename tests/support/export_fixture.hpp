@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames of a surface and of particles in a temporary folder, and `thaw export` of them.
+// Frames of surfaces, particles and oriented bodies in a temporary folder, and `thaw export` of them.
 #pragma once
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -65,6 +66,42 @@ template<class F> std::string errorOf(F what) {
     what();
   } catch (const std::exception& error) { return error.what(); }
   return "no error";
+}
+
+/// Two flat rows and a curve of oriented particles. `turn` rotates the order of the rows.
+inline std::filesystem::path writeOriented(const std::filesystem::path& path, std::size_t turn) {
+  std::vector<Vec3d> places;
+  std::vector<std::uint32_t> groups;
+  std::vector<std::uint64_t> ids;
+  for (int k = 0; k < 12; k++)
+    places.push_back({(k / 2) + 0.5 * (k % 2), 0.866 * (k % 2), 0}), groups.push_back(0),
+        ids.push_back(static_cast<std::uint64_t>(k));
+  for (int k = 0; k < 5; k++)
+    places.push_back({static_cast<double>(k), 9, 0}), groups.push_back(1),
+        ids.push_back(std::uint64_t(1) << 63 | static_cast<std::uint64_t>(k));
+  const auto turned = [&](auto& v) {
+    std::rotate(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(turn), v.end());
+  };
+  turned(places), turned(groups), turned(ids);
+  const std::size_t n = places.size();
+  std::vector<float> turns, radii(n, 1);
+  for (std::size_t k = 0; k < n; k++) turns.insert(turns.end(), {1, 0, 0, 0});
+  const std::vector<std::uint16_t> bodies(n, 0);
+  const std::vector<std::uint64_t> cuts(n, 0);
+  const std::vector<std::uint8_t> flags(n, 0);
+  Frame frame;
+  frame.count = n;
+  frame.positions = {"position", "m", Scalar::F64, 3, places.data()};
+  frame.fields = {{"id", "1", Scalar::U64, 1, ids.data()},
+                  {"oriented_body", "1", Scalar::U16, 1, bodies.data()},
+                  {"orientation", "1", Scalar::F32, 4, turns.data()},
+                  {"radius", "m", Scalar::F32, 1, radii.data()},
+                  {"group", "1", Scalar::U32, 1, groups.data()},
+                  {"cut_sides", "1", Scalar::U64, 1, cuts.data()},
+                  {"flags", "1", Scalar::U8, 1, flags.data()}};
+  startMpi();
+  writeFrame(path.string(), MPI_COMM_SELF, frame, {});
+  return path;
 }
 
 }  // namespace thaw::test

@@ -21,6 +21,18 @@ cmp -s "$work/pour.png" "$work/through.png" && fail "--through changes the pictu
 [ -f "$work/beam_preview.png" ] || fail "the picture has a default name"
 [ -e "$work/out" ] && fail "a preview leaves no folder of a run"
 
+# The lines of the camera are in the picture only with the camera itself.
+if /usr/bin/python3 -c 'import matplotlib' 2>/dev/null; then
+  orange() {  # orange X,Y,Z: pixels in the camera's colour, with the camera at this place
+    "$thaw" preview "$scenes/pour.toml" --set "output.camera.from=[$1]" --width 320 --height 240 \
+      --out "$work/camera.png" >"$work/log" 2>&1
+    /usr/bin/python3 -c 'import sys; from matplotlib.image import imread
+print((abs(255 * imread(sys.argv[1])[..., :3] - (217, 130, 43)).max(axis=2) < 8).sum())' "$work/camera.png"
+  }
+  [ "$(orange 0.05,-0.2,0.16)" -gt 30 ] || fail "a camera in the picture has no lines"
+  [ "$(orange 3,-0.4,0.26)" -eq 0 ] || fail "lines of a camera that is not in the picture"
+fi
+
 "$thaw" preview "$work/none.toml" >"$work/log" 2>&1
 expectExit 2 "a scene that is not there"
 printf 'spacing = "wide"\n' >"$work/bad.toml"

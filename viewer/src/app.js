@@ -218,9 +218,13 @@ export class App {
         fields: fieldsOf(packets.values()),
         own,
       });
+    const shareOf = (level) => Number((2 ** level).toPrecision(2));
     const thinned = [...packets]
       .filter(([, { header }]) => header.level > 0)
-      .map(([type, { header }]) => `${type}: 1 of ${2 ** header.level} drawn, of ${countText(header.count)}`);
+      .map(
+        ([type, { header }]) =>
+          `${type}: 1 of ${shareOf(header.level)} drawn, of ${countText(header.count)}`,
+      );
     this.notices.set('thinned', thinned.join('; '));
     const lost = [...packets]
       .filter(([, { header }]) => header.finite < header.count)

@@ -6,6 +6,12 @@
 
 namespace thaw {
 
+namespace {
+
+constexpr float glassOpacity = 0.25f;
+
+}  // namespace
+
 std::vector<ExportObject> obstaclesOf(const Scene& scene, std::vector<std::string>& warnings) {
   std::vector<ExportObject> all;
   for (std::size_t k = 0; k < scene.obstacles.size(); k++) {
@@ -15,6 +21,9 @@ std::vector<ExportObject> obstaclesOf(const Scene& scene, std::vector<std::strin
                         {},
                         Pose{},
                         !obstacle.motion.empty()};
+    // A plane of glass is a floor in pictures.
+    if (obstacle.look == ObstacleLook::Glass && obstacle.shape.kind != ShapeKind::HalfSpace)
+      object.opacity = glassOpacity;
     try {
       object.parts.push_back(obstacleMesh(obstacle, scene.domain));
     } catch (const std::exception& error) {  // the mesh file may be missing on this machine

@@ -34,14 +34,17 @@ struct OrientedMesh {
   }
 };
 
+/// Returns the mesh of each group. The first group of a body has its name.
 std::vector<ComponentMesh> meshesOf(const OrientedFrame& frame, const std::vector<Vec3f>& velocities,
-                                    const OrientedMesh& made) {
+                                    const OrientedMesh& made, const std::vector<std::string>& names) {
   std::map<std::uint32_t, ComponentMesh> byGroup;
+  std::map<std::uint32_t, std::uint32_t> bodyOf;
   std::vector<std::uint32_t> vertexOf(frame.positions.size());
   for (std::uint32_t i = 0; i < frame.positions.size(); i++) {
     if (!made.used[i]) continue;
     ComponentMesh& m = byGroup[frame.groups[i]];
     m.component = frame.groups[i];
+    bodyOf.emplace(frame.groups[i], frame.bodies[i]);
     vertexOf[i] = static_cast<std::uint32_t>(m.mesh.vertices.size());
     m.mesh.vertices.push_back(frame.positions[i]);
     m.normals.push_back(single(frame.normals[i]));
@@ -55,7 +58,13 @@ std::vector<ComponentMesh> meshesOf(const OrientedFrame& frame, const std::vecto
   for (const auto& l : made.lines)
     byGroup[frame.groups[l[0]]].lines.push_back({vertexOf[l[0]], vertexOf[l[1]]});
   std::vector<ComponentMesh> meshes;
-  for (auto& [group, mesh] : byGroup) meshes.push_back(std::move(mesh));
+  std::set<std::uint32_t> named;
+  for (auto& [group, mesh] : byGroup) {
+    const std::uint32_t body = bodyOf.at(group);
+    const std::string name = body < names.size() ? names[body] : fmt::format("oriented_{}", body);
+    mesh.name = named.insert(body).second ? name : fmt::format("{}_{}", name, group);
+    meshes.push_back(std::move(mesh));
+  }
   return meshes;
 }
 
@@ -94,7 +103,8 @@ void gatherOriented(const FrameGroup& group, const GatherJob& job, ExportScene& 
     scene.table = ExportTable{std::move(all), made.lines};
     return;
   }
-  scene.objects.push_back({"oriented", ExportKind::Oriented, meshesOf(frame, velocities, made), {}, false});
+  scene.objects.push_back(
+      {"oriented", ExportKind::Oriented, meshesOf(frame, velocities, made, scene.orientedNames), {}, false});
 }
 
 }  // namespace thaw

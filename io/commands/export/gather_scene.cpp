@@ -44,9 +44,13 @@ RenderStyle styleOf(const FrameJob& picture, const ExportScene& scene) {
   return style;
 }
 
-/// Makes the names of sheets and obstacles unique among all objects, in all formats and frames.
+template<class Things> void addNames(const Things& things, std::vector<std::string>& names) {
+  for (const auto& thing : things) names.push_back(thing.name);
+}
+
+/// Makes names unique among all objects, in all formats and frames.
 void separateNames(RunScene& run) {
-  std::set<std::string> used{"surface", "oriented", "particles", "camera"};
+  std::set<std::string> used{"surface", "oriented", "oriented_curves", "particles", "camera"};
   const auto separate = [&](std::string& name) {
     const std::string own = name;
     for (int k = 2; !used.insert(usdName(name)).second; k++) name = fmt::format("{}_{}", own, k);
@@ -56,6 +60,8 @@ void separateNames(RunScene& run) {
     separate(object.name);
     for (ComponentMesh& part : object.parts) part.name = object.name;
   }
+  for (std::vector<std::string>* names : {&run.orientedNames, &run.sourceNames})
+    for (std::string& name : *names) separate(name);
 }
 
 }  // namespace
@@ -75,7 +81,10 @@ std::shared_ptr<const RunScene> RunScenes::of(const fs::path& frame, std::vector
   try {
     auto made = std::make_shared<RunScene>();
     made->scene = sceneOfText(text, name);
-    for (const SheetBody& sheet : made->scene.sheets) made->sheetNames.push_back(sheet.name);
+    addNames(made->scene.sheets, made->sheetNames);
+    addNames(made->scene.oriented, made->orientedNames);
+    addNames(made->scene.bodies, made->sourceNames);
+    addNames(made->scene.emitters, made->sourceNames);
     made->obstacles = obstaclesOf(made->scene, warnings);
     separateNames(*made);
     place->second = made;
@@ -138,6 +147,8 @@ ExportScene gatherScene(const FrameGroup& group, const GatherJob& job, GatherNot
     if (scene.interval <= 0) scene.interval = stored->scene.output.every;
     scene.periodic = periodicSidesOf(stored->scene.domain);
     scene.sheetNames = stored->sheetNames;
+    scene.orientedNames = stored->orientedNames;
+    scene.sourceNames = stored->sourceNames;
   }
   const auto has = [&](unsigned content) { return (job.contents & content) != 0; };
   if (has(surfaceContent) && !group.surface.empty()) gatherSurface(group, job, scene, notes);

@@ -17,8 +17,9 @@ namespace thaw {
 /// A scene that frames store, and the data that these frames share.
 struct RunScene {
   Scene scene;
-  std::vector<std::string> sheetNames;  ///< one per sheet, unique
-  FrameJob picture;                     ///< camera, size, walls
+  std::vector<std::string> sheetNames, orientedNames;  ///< one per body, unique
+  std::vector<std::string> sourceNames;                ///< one per body and emitter, unique
+  FrameJob picture;                                    ///< camera, size, walls
   std::vector<ExportObject> obstacles;  ///< at rest, one per obstacle of the scene; without parts if it
                                         ///< cannot be shown
 };

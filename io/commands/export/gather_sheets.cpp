@@ -79,6 +79,7 @@ void gatherSheets(const FrameGroup& group, const GatherJob& job, ExportScene& sc
         {},
         {},
         false};
+    mesh.name = sheet.name;
     sheet.parts.push_back(std::move(mesh));
     scene.objects.push_back(std::move(sheet));
     sheets++;

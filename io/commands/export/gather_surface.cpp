@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <set>
 
+#include "core/domain/emit.hpp"
 #include "core/geometry/trees/point_tree.hpp"
 #include "io/commands/export/gather_scene.hpp"
 #include "io/export/export_surface.hpp"
@@ -156,6 +158,18 @@ std::vector<ComponentMesh> meshesOf(const SurfaceFrame& frame, const std::vector
   return meshes;
 }
 
+/// Names meshes after the body or emitter of their label, which is the id of a particle. The first mesh of a
+/// body has its name, the others the number of that particle behind it.
+void nameMeshes(const std::vector<std::string>& sources, std::vector<ComponentMesh>& meshes) {
+  std::set<std::uint64_t> named;
+  for (ComponentMesh& m : meshes) {
+    const std::uint64_t source = sourceOf(m.component);
+    if (source >= sources.size()) continue;
+    const std::string& name = sources[source];
+    m.body = named.insert(source).second ? name : fmt::format("{}_{}", name, numberOf(m.component));
+  }
+}
+
 void addNotes(const std::vector<ComponentMesh>& meshes, std::size_t empty, const fs::path& file, double cell,
               GatherNotes& notes) {
   std::size_t finer = 0, triangles = 0;
@@ -198,6 +212,7 @@ void gatherSurface(const FrameGroup& group, const GatherJob& job, ExportScene& s
     surface.parts = meshesOf(frame, scene.surfelColours, job, scene.periodic);
     const auto empty = static_cast<std::size_t>(
         std::erase_if(surface.parts, [](const ComponentMesh& m) { return m.mesh.triangles.empty(); }));
+    nameMeshes(scene.sourceNames, surface.parts);
     addNotes(surface.parts, empty, group.surface, job.options->cell, notes);
     scene.objects.push_back(std::move(surface));
   }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "io/export/texture_seams.hpp"
+#include "io/export/usd/prim_maker.hpp"
 #include "io/render/light/lights.hpp"
 
 namespace thaw {
@@ -25,38 +26,6 @@ Vec3f linearColour(const Vec3f& from) {
   }
   return to;
 }
-
-std::vector<Vec3f> linearColours(const std::vector<Vec3f>& from) {
-  std::vector<Vec3f> to(from.size());
-  std::transform(from.begin(), from.end(), to.begin(), linearColour);
-  return to;
-}
-
-std::vector<Vec3f> extentOf(const std::vector<Vec3f>& points, float margin) {
-  if (points.empty()) return {};
-  Vec3f low = points[0], high = points[0];
-  for (const Vec3f& x : points)
-    for (int a = 0; a < 3; a++) low[a] = std::min(low[a], x[a]), high[a] = std::max(high[a], x[a]);
-  for (int a = 0; a < 3; a++) low[a] -= margin, high[a] += margin;
-  return {low, high};
-}
-
-/// Collects the attributes of a prim.
-struct PrimMaker {
-  const UsdFile& file;
-  UsdPrimSample prim;
-  bool isConstant = false;
-
-  void add(UsdAttributeType type, const UsdValue& value, bool constant) {
-    prim.attributes.push_back({std::move(type), file.encode(value), constant});
-  }
-  void add(const char* type, const char* name, const UsdValue& value, const char* interpolation = "") {
-    add({name, type, interpolation, false}, value, isConstant);
-  }
-  void addUniform(const char* type, const char* name, const UsdValue& value) {
-    add({name, type, "", true}, value, true);
-  }
-};
 
 /// All parts of an object as one mesh.
 struct WholeMesh {
@@ -117,6 +86,8 @@ UsdPrimSample meshPrim(const ExportObject& object, const UsdFile& file) {
   if (mesh.has(mesh.velocities)) maker.add("vector3f[]", "velocities", mesh.velocities);
   if (mesh.has(mesh.colours))
     maker.add("color3f[]", "primvars:displayColor", linearColours(mesh.colours), "vertex");
+  if (object.opacity < 1)
+    maker.add("float[]", "primvars:displayOpacity", std::vector<float>{object.opacity}, "constant");
   if (mesh.has(mesh.temperatures)) maker.add("float[]", "primvars:temperature", mesh.temperatures, "vertex");
   if (mesh.has(mesh.liquid)) maker.add("float[]", "primvars:liquid", mesh.liquid, "vertex");
   if (!mesh.corners.empty() && mesh.cornerTexture.size() == mesh.corners.size())
@@ -199,6 +170,18 @@ void addLights(const RenderStyle& style, const UsdFile& file, std::vector<UsdPri
   prims.push_back(std::move(sky.prim));
 }
 
+/// Adds the mesh of an object, and its lines as curves.
+void addObject(const ExportObject& object, double spacing, const UsdFile& file,
+               std::vector<UsdPrimSample>& prims) {
+  const auto isCurve = [](const ComponentMesh& part) { return !part.lines.empty(); };
+  const auto curves = std::count_if(object.parts.begin(), object.parts.end(), isCurve);
+  if (curves == 0) return prims.push_back(meshPrim(object, file));
+  ExportObject rest = object;
+  std::erase_if(rest.parts, isCurve);
+  if (!rest.parts.empty()) prims.push_back(meshPrim(rest, file));
+  prims.push_back(curvesPrim(object, static_cast<float>(spacing), file));
+}
+
 /// Gives prims different names.
 void separateNames(std::vector<UsdPrimSample>& prims) {
   std::set<std::string> used;
@@ -210,11 +193,26 @@ void separateNames(std::vector<UsdPrimSample>& prims) {
 
 }  // namespace
 
+std::vector<Vec3f> linearColours(const std::vector<Vec3f>& from) {
+  std::vector<Vec3f> to(from.size());
+  std::transform(from.begin(), from.end(), to.begin(), linearColour);
+  return to;
+}
+
+std::vector<Vec3f> extentOf(const std::vector<Vec3f>& points, float margin) {
+  if (points.empty()) return {};
+  Vec3f low = points[0], high = points[0];
+  for (const Vec3f& x : points)
+    for (int a = 0; a < 3; a++) low[a] = std::min(low[a], x[a]), high[a] = std::max(high[a], x[a]);
+  for (int a = 0; a < 3; a++) low[a] -= margin, high[a] += margin;
+  return {low, high};
+}
+
 UsdFrame usdFrameOf(const ExportScene& scene, const UsdFile& file) {
   UsdFrame frame{scene.time, {}};
   frame.prims.push_back(cameraPrim(scene.style, file));
   addLights(scene.style, file, frame.prims);
-  for (const ExportObject& object : scene.objects) frame.prims.push_back(meshPrim(object, file));
+  for (const ExportObject& object : scene.objects) addObject(object, scene.spacing, file, frame.prims);
   if (scene.points) frame.prims.push_back(pointsPrim(*scene.points, file));
   separateNames(frame.prims);
   return frame;

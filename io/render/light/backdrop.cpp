@@ -14,7 +14,6 @@ Rgb topOf(const Lighting& lighting) {
   return lighting.backgroundTop.value_or(lighting.background.value_or(skyTop));
 }
 float brightness(const Light& l) { return (l.x + l.y + l.z) / 3; }
-Light product(const Light& a, const Light& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 
 }  // namespace
 
@@ -57,7 +56,7 @@ Light Backdrop::floorShade(const FloorLight& floor, const Vec3f& ray, float dept
   const float far = std::sqrt(dot(d, d)) / reach_;
   const FloorLight::Light l = floor.at(point);
   const float ofSky = 0.46f * ambient_ * l.sky;
-  const Light bright = (0.62f * l.sun) * sun_ + Light{ofSky, ofSky, ofSky} + 0.62f * l.more;
+  const Light bright = (0.62f * l.sun) * product(sun_, l.glass) + Light{ofSky, ofSky, ofSky} + 0.62f * l.more;
   return mixed(product(bright, floor_), sky(ray), ramp(2.0f, 7.0f, far));
 }
 

@@ -16,7 +16,7 @@ Vec3f unit(const Vec3f& a) {
   return l > 0 ? a / l : a;
 }
 
-constexpr int skyDirections = 24;
+constexpr int skyDirections = 24, glassDirections = 8;
 
 Vec3f sunDirection(const Lighting& lighting, const View& view) {
   if (lighting.sun) return single(normalized(*lighting.sun));
@@ -61,11 +61,11 @@ std::vector<Vec3f> skyDome(int count) {
   return directions;
 }
 
-Lights makeLights(const Discs& spheres, const Lighting& lighting, const View& view) {
+Lights makeLights(const Discs& spheres, const RenderStyle& style, const View& view) {
   Lights lights;
-  const std::vector<LightSource> sources = lightSources(lighting, view);
+  const std::vector<LightSource> sources = lightSources(style.lighting, view);
   lights.source = sources[0];
-  lights.ambient = lighting.ambient;
+  lights.ambient = style.lighting.ambient;
   for (std::size_t k = 1; k < sources.size(); k++)
     lights.more.push_back({sources[k], {makeDepthMap(spheres, sources[k].toLight, 3.5f, 2048)}});
   double sum = 0;
@@ -76,7 +76,18 @@ Lights makeLights(const Discs& spheres, const Lighting& lighting, const View& vi
   lights.sun = makeDepthMap(spheres, lights.source.toLight, 3.5f, 2048);
   for (const Vec3f& toLight : skyDome(skyDirections))
     lights.sky.push_back(makeDepthMap(spheres, toLight, 1.3f, 512));
+  addGlasses(style, lights);
   return lights;
+}
+
+void addGlasses(const RenderStyle& style, Lights& lights) {
+  const std::vector<GlassWalk> glasses = glassWalks(style);
+  if (glasses.empty()) return;
+  const auto shadeOf = [&](const LightSource& light) {
+    return GlassShade(glasses, lightDisc(light, glassDirections), light.radius);
+  };
+  lights.glass = shadeOf(lights.source);
+  for (SideLight& light : lights.more) light.glass = shadeOf(light.source);
 }
 
 float skyLight(const Lights& lights, const Vec3f& point, const Vec3f& normal) {
@@ -267,14 +278,26 @@ FloorLight::FloorLight(const Lights& lights, const Discs& casters, const FloorHi
   for (std::size_t c = 0; c < table_.size(); c++)
     table_[c] = {std::max(0.0f, open_.sun - innerShare(c, side_) * sun[c]),
                  std::max(0.0f, open_.sky - innerShare(c, side_) * sky[c] / full)};
-  for (const SideLight& light : lights.more) addLight(light.source, blockedOf(light.source));
+  if (!lights.glass.empty())
+    for (std::size_t c = 0; c < table_.size(); c++) table_[c].glass = lights.glass.at(pointOf(c));
+  for (const SideLight& light : lights.more) addLight(light, blockedOf(light.source));
 }
 
-void FloorLight::addLight(const LightSource& light, const std::vector<float>& blocked) {
-  const float facing = std::max(0.0f, dot(normal_, light.toLight));
-  open_.more += facing * light.colour;
-  for (std::size_t c = 0; c < table_.size(); c++)
-    table_[c].more += std::max(0.0f, facing - innerShare(c, side_) * blocked[c]) * light.colour;
+Vec3f FloorLight::pointOf(std::size_t cell) const {
+  const auto place = [&](std::size_t i) {
+    return ((static_cast<float>(i) + 0.5f) * 2 / static_cast<float>(side_) - 1) * reach_;
+  };
+  return origin_ + place(cell % side_) * u_ + place(cell / side_) * v_;
+}
+
+void FloorLight::addLight(const SideLight& light, const std::vector<float>& blocked) {
+  const float facing = std::max(0.0f, dot(normal_, light.source.toLight));
+  open_.more += facing * light.source.colour;
+  for (std::size_t c = 0; c < table_.size(); c++) {
+    thaw::Light here = std::max(0.0f, facing - innerShare(c, side_) * blocked[c]) * light.source.colour;
+    if (!light.glass.empty()) here = product(here, light.glass.at(pointOf(c)));
+    table_[c].more += here;
+  }
 }
 
 FloorLight::Light FloorLight::at(const Vec3f& point) const {
@@ -289,7 +312,7 @@ FloorLight::Light FloorLight::at(const Vec3f& point) const {
     return (1 - fy) * ((1 - fx) * p[0].*m + fx * p[1].*m) +
            fy * ((1 - fx) * p[side_].*m + fx * p[side_ + 1].*m);
   };
-  return {between(&Light::sun), between(&Light::sky), between(&Light::more)};
+  return {between(&Light::sun), between(&Light::sky), between(&Light::more), between(&Light::glass)};
 }
 
 }  // namespace thaw

@@ -7,6 +7,7 @@
 #include "io/image/linear_light.hpp"
 #include "io/image/render_style.hpp"
 #include "io/render/light/depth_map.hpp"
+#include "io/render/light/glass_walk.hpp"
 
 namespace thaw {
 
@@ -27,6 +28,7 @@ inline constexpr Light sunTint{0.88f, 0.86f, 0.82f}, skyTint{0.52f, 0.54f, 0.58f
 struct SideLight {
   LightSource source;
   std::vector<DepthMap> maps;  ///< maps from directions spread over its disc
+  GlassShade glass{};
 };
 
 struct Lights {
@@ -36,13 +38,17 @@ struct Lights {
   DepthMap sun;
   std::vector<DepthMap> sky;  ///< from directions spread over the upper hemisphere
   float radius = 0;           ///< m, typical of the particles
+  GlassShade glass{};         ///< in the light of the sun
 };
+
+/// Sets the shadows of the style's glasses.
+void addGlasses(const RenderStyle& style, Lights& lights);
 
 /// Return unit vectors toward the light: samples of the disc of a light (for soft shadows), and of the sky.
 std::vector<Vec3f> lightDisc(const LightSource& light, int count);
 std::vector<Vec3f> skyDome(int count);
 
-Lights makeLights(const Discs& spheres, const Lighting& lighting, const View& view);
+Lights makeLights(const Discs& spheres, const RenderStyle& style, const View& view);
 
 /// Returns the sky's light on a surface: 1 if it faces up to an open sky. A fraction is reflected from below.
 float skyLight(const Lights& lights, const Vec3f& point, const Vec3f& normal);
@@ -59,7 +65,8 @@ class FloorLight {
   /// Light of the sun (with the angle of incidence) and of the sky, at a point of the floor.
   struct Light {
     float sun, sky;
-    thaw::Light more{};  ///< from lights beside the sun
+    thaw::Light more{};          ///< from lights beside the sun
+    thaw::Light glass{1, 1, 1};  ///< fraction of the sun's light that passes glass
   };
   Light at(const Vec3f& point) const;
   const Vec3f& normal() const { return normal_; }
@@ -68,7 +75,8 @@ class FloorLight {
 
  private:
   /// Adds a light beside the sun. blocked: per cell, the light that casters hide.
-  void addLight(const LightSource& light, const std::vector<float>& blocked);
+  void addLight(const SideLight& light, const std::vector<float>& blocked);
+  Vec3f pointOf(std::size_t cell) const;
 
   static constexpr int side_ = 512;
   Vec3f origin_, normal_, u_, v_;

@@ -44,11 +44,13 @@ Particles finiteParticles(const RenderInput& in, const ColourScale& scale) {
   return p;
 }
 
-/// Shading data of visible particles: surface normal and sky light.
+/// Shading data of visible particles: surface normal, sky light, and the light that passes glass, from the
+/// sun and from each further light (empty without glass).
 struct Visible {
   std::vector<std::uint32_t> place;  ///< index of a particle in the lists below
   std::vector<SurfaceNormal> normals;
   std::vector<float> sky;
+  std::vector<Light> glass;
 };
 
 Visible lightVisible(const Particles& p, const DepthBuffer& buffer, const Lights& lights, float spacing) {
@@ -72,6 +74,11 @@ Visible lightVisible(const Particles& p, const DepthBuffer& buffer, const Lights
   Smoothed smooth = smoothOver(p.positions, which, bins, raw);
   v.normals = std::move(smooth.normals);
   v.sky = std::move(smooth.values);
+  if (lights.glass.empty()) return v;
+  for (const std::uint32_t i : which) {
+    v.glass.push_back(lights.glass.at(p.positions[i]));
+    for (const SideLight& light : lights.more) v.glass.push_back(light.glass.at(p.positions[i]));
+  }
   return v;
 }
 
@@ -81,7 +88,7 @@ class Shader {
          const ViewBox& stage, bool coloured)
       : view_(view),
         particles_(particles),
-        lights_(makeLights({particles.positions, particles.radii, {}}, style.lighting, view)),
+        lights_(makeLights({particles.positions, particles.radii, {}}, style, view)),
         backdrop_(style, view, stage, lights_, {particles.positions, particles.radii, {}}) {
     const float spacing = style.spacing > 0 ? style.spacing : std::max(lights_.radius / 0.65f, 1e-20f);
     visible_ = lightVisible(particles, buffer, lights_, spacing);
@@ -115,9 +122,15 @@ class Shader {
     const float shine = sun > 0 ? 0.09f * std::pow(std::max(0.0f, dot(normal, half)), 40.0f) : 0.0f;
     const Light colour = colours_[particles_.colour[index]];
     const Light tint{0.52f * fromSky, 0.54f * fromSky, 0.58f * fromSky};
-    Light direct = sun * lights_.source.colour;
-    for (const SideLight& light : lights_.more)
-      direct += directLight(light.maps[0], lights_.radius, point, normal, 2) * light.source.colour;
+    const auto behindGlass = [&](std::size_t light, const Light& l) {
+      return visible_.glass.empty() ? l : product(l, visible_.glass[k * (1 + lights_.more.size()) + light]);
+    };
+    Light direct = behindGlass(0, sun * lights_.source.colour);
+    for (std::size_t m = 0; m < lights_.more.size(); m++) {
+      const SideLight& light = lights_.more[m];
+      const float seen = directLight(light.maps[0], lights_.radius, point, normal, 2);
+      direct += behindGlass(m + 1, seen * light.source.colour);
+    }
     return Light{colour.x * (tint.x + 0.88f * direct.x), colour.y * (tint.y + 0.86f * direct.y),
                  colour.z * (tint.z + 0.82f * direct.z)} +
            shine * lights_.source.colour;

@@ -229,11 +229,14 @@ std::vector<SurfelShade> lightSurfels(const DrawnSurfels& s, std::span<const std
       const Light &c = s.colours[i], &sun = lights.lights.source.colour,
                   more = moreLight(lights.lights, s.positions[i], n, s.radii[i]);
       const Light diffuse{sunTint.x * c.x, sunTint.y * c.y, sunTint.z * c.z};
-      shades[i] = {n,
-                   Light{skyTint.x * sky * c.x, skyTint.y * sky * c.y, skyTint.z * sky * c.z} +
-                       Light{diffuse.x * more.x, diffuse.y * more.y, diffuse.z * more.z},
-                   {diffuse.x * sun.x, diffuse.y * sun.y, diffuse.z * sun.z},
-                   lightSeen(lights.sun, s.positions[i], n, s.radii[i])};
+      shades[i] = {
+          n,
+          Light{skyTint.x * sky * c.x, skyTint.y * sky * c.y, skyTint.z * sky * c.z} +
+              Light{diffuse.x * more.x, diffuse.y * more.y, diffuse.z * more.z},
+          lights.lights.glass.empty()
+              ? product(diffuse, sun)
+              : product(product(diffuse, sun), lights.lights.glass.at(s.positions[i] + s.radii[i] * n)),
+          lightSeen(lights.sun, s.positions[i], n, s.radii[i])};
     }
   });
   return shades;
@@ -365,6 +368,7 @@ Image renderSurfels(const SurfelInput& input, const RenderStyle& style, const Su
   const Discs casters = casting.discs();
   SurfelLights lights = makeSurfelLights(casters, lightSources(style.lighting, view), how.threads);
   lights.lights.ambient = style.lighting.ambient;
+  addGlasses(style, lights.lights);
   const Backdrop backdrop(style, view, stage, lights.lights, casters);
   const std::vector<std::uint8_t> seen = facingDiscs(discs, view, width, height, near);
   const CameraFaces faces = facesBefore(surfels.positions, surfels.faces, view, width, height, near);

@@ -48,7 +48,10 @@ Light moreLight(const Lights& lights, const Vec3f& point, const Vec3f& normal, f
   Light sum{};
   for (const SideLight& light : lights.more) {
     const float facing = dot(normal, light.source.toLight);
-    if (facing > 0) sum += (facing * lightSeen(light.maps, point, normal, radius)) * light.source.colour;
+    if (!(facing > 0)) continue;
+    Light here = (facing * lightSeen(light.maps, point, normal, radius)) * light.source.colour;
+    if (!light.glass.empty()) here = product(here, light.glass.at(point + radius * normal));
+    sum += here;
   }
   return sum;
 }

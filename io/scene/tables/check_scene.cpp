@@ -77,7 +77,8 @@ void checkScene(SceneReading& x, std::vector<SceneError>& errors) {
       if (s.materials[k].name == m.name) return static_cast<void>(index = static_cast<int>(k));
     const std::string what = m.name.empty() ? "its material is missing: expected `material`"
                                             : "unknown material '" + m.name + "'" + suggestion(m.name, names);
-    if (!m.reported && x.materials) errors.push_back({m.where, who + ": " + what});
+    if (!m.reported && x.materials)
+      errors.push_back({m.where, who + ": " + what, SceneError::Kind::Value, "material"});
   };
   for (std::size_t b = 0; b < s.bodies.size(); b++)
     resolve(x.bodyMaterials[b], "body '" + s.bodies[b].name + "'", s.bodies[b].material);

@@ -106,9 +106,9 @@ void readObstacle(TableReader& r, Obstacle& o, SceneReading& x) {
   int look = static_cast<int>(o.look);
   r.as(Restart::Free)
       .choice("look", look, {"glass", "solid"},
-              "look in pictures: clear glass, or solid in its colour, with shadows; a plane is a floor");
+              "look in pictures: glass with pale shadows, or solid in its colour; a plane is a floor");
   o.look = static_cast<ObstacleLook>(look);
-  readColourKey(r, o.colour, "colour in exports, and in pictures if it looks solid; default: a pale grey");
+  readColourKey(r, o.colour, "colour in exports and pictures; default: a pale grey, and clear for glass");
   readMotion(r, "keyframes; the pose is linear in between, and constant before the first and after the last",
              o.motion);
   if (!r.reading()) return;

@@ -444,7 +444,7 @@ void TableReader::finish() {
     errors_->push_back({where,
                         fmt::format("unknown key '{}'{}{}", name, path_.empty() ? "" : " in " + path_,
                                     suggestion(name, known_)),
-                        SceneError::Kind::UnknownKey, path_, placesOfTable()});
+                        SceneError::Kind::UnknownKey, path_, placesOfTable(), nearestWord(name, known_)});
   }
 }
 

@@ -114,7 +114,7 @@ bool isSound(const OrientedFrame& frame) {
 }
 
 /// Adds discs, and at level 0 the triangles and lines between them.
-void addOriented(Packet& packet, const FrameData& data, const std::string& path, int level) {
+void addOriented(Packet& packet, const FrameData& data, const std::string& path, double level) {
   const OrientedFrame frame = orientedFrameOf(data, path);
   std::vector<Vec3f> normals;
   for (const Vec3d& n : frame.normals) normals.push_back(single(n));

@@ -27,7 +27,7 @@ Packet framePacket(const FrameRequest& request);
 struct ThinnedFrame {
   FrameData frame;
   std::vector<std::uint32_t> rows;
-  int level = 0;
+  double level = 0;
 };
 
 /// wanted: as for readFrame; the ids are read as well. Throws IoError.

@@ -37,7 +37,7 @@ SurfaceToMesh readSurfaceToMesh(const FrameRequest& q) {
   std::vector<std::uint64_t>& ids = surface.surfels.ids;
   if (std::count(ids.begin(), ids.end(), 0) > 1) ids.clear();  // the frame has none
   const std::vector<Vec3d>& positions = surface.surfels.positions;
-  const int level = thinningLevel(rowsAt(0, positions, {}).size(), q.most);
+  const double level = thinningLevel(rowsAt(0, positions, {}).size(), q.most);
   surface.drawn = rowsAt(level, positions, ids);
   return surface;
 }

@@ -10,19 +10,19 @@
 
 namespace thaw {
 
-int thinningLevel(std::uint64_t count, std::uint64_t most) {
-  const std::uint64_t limit = std::max<std::uint64_t>(most, 1);
-  int level = 0;
-  while (level < 63 && count >> level > limit) level++;
+double thinningLevel(std::uint64_t count, std::uint64_t most) {
+  const auto limit = static_cast<double>(std::max<std::uint64_t>(most, 1));
+  double level = 0;
+  while (level < 63 && static_cast<double>(count) * std::exp2(-level) > limit) level += levelStep;
   return level;
 }
 
-bool staysAt(int level, std::uint64_t id) {
+bool staysAt(double level, std::uint64_t id) {
   constexpr std::uint64_t odd = 0x9e3779b97f4a7c15ull;  // separates small ids, as in randomBits
-  return level <= 0 || mixBits(mixBits(id + odd)) >> (64 - level) == 0;
+  return level <= 0 || static_cast<double>(mixBits(mixBits(id + odd))) < std::exp2(64 - level);
 }
 
-std::vector<std::uint32_t> rowsAt(int level, std::span<const Vec3d> positions,
+std::vector<std::uint32_t> rowsAt(double level, std::span<const Vec3d> positions,
                                   std::span<const std::uint64_t> ids) {
   std::vector<std::uint32_t> rows;
   for (std::size_t i = 0; i < positions.size(); i++) {

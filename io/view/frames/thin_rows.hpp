@@ -9,15 +9,18 @@
 
 namespace thaw {
 
-/// Returns the smallest level at which about `most` of `count` rows are left: one of 2^level.
-int thinningLevel(std::uint64_t count, std::uint64_t most);
+inline constexpr double levelStep = 0.5;
+
+/// Returns the smallest level, a multiple of levelStep, at which about `most` of `count` rows are left: one
+/// of 2^level.
+double thinningLevel(std::uint64_t count, std::uint64_t most);
 
 /// Returns whether a row stays at a level. It is a hash of the id; a row of one level is in all lower ones.
-bool staysAt(int level, std::uint64_t id);
+bool staysAt(double level, std::uint64_t id);
 
 /// Returns the rows of finite positions that stay, ascending. ids: empty if the frame has none; then the row
 /// counts as its id.
-std::vector<std::uint32_t> rowsAt(int level, std::span<const Vec3d> positions,
+std::vector<std::uint32_t> rowsAt(double level, std::span<const Vec3d> positions,
                                   std::span<const std::uint64_t> ids);
 
 /// Keeps these rows of a frame, ascending, and the triangles between them.

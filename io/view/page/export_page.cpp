@@ -45,7 +45,7 @@ struct Encoded {
   PageData data;
   std::uint64_t bytes = 0;
   PageSizes sizes;
-  std::map<std::string, int> levels;
+  std::map<std::string, double> levels;
   std::set<std::string> tensors;
 };
 
@@ -57,10 +57,17 @@ std::optional<Scene> sceneOf(const fs::path& run, const FrameList& list) {
   } catch (const std::runtime_error&) { return std::nullopt; }  // a mesh file may be missing on this machine
 }
 
+/// Returns whether a type of points may be left out, since the surface shows the same bodies.
+bool isSpare(const ListedFrame& frame, std::size_t type) {
+  return type == static_cast<std::size_t>(PointType::Particles) &&
+         frame.has[static_cast<std::size_t>(PointType::Surface)];
+}
+
 void encodeFrame(const Source& from, const ListedFrame& frame, const Thinning& t, Encoded& to) {
   const Json poses = from.scene ? obstaclePoses(*from.scene, frame.time) : Json::array();
   for (std::size_t k = 0; k < frame.has.size(); k++) {
-    if (!frame.has[k]) continue;
+    if (!frame.has[k] || (isSpare(frame, k) && !t.particles)) continue;
+    to.sizes.spare = to.sizes.spare || isSpare(frame, k);
     BlockRequest request{
         framePath(from.request.run, from.list.scene, static_cast<PointType>(k), frame.number),
         static_cast<PointType>(k), t.most, from.scene ? from.scene->spacing : 0, t.tensors};
@@ -69,7 +76,7 @@ void encodeFrame(const Source& from, const ListedFrame& frame, const Thinning& t
     to.sizes.points = std::max(to.sizes.points, block.points);
     to.sizes.tensors = to.sizes.tensors || !block.tensors.empty();
     to.tensors.insert(block.tensors.begin(), block.tensors.end());
-    int& level = to.levels[pointTypeNames[k]];
+    double& level = to.levels[pointTypeNames[k]];
     level = std::max(level, block.level);
     to.data.add(fmt::format("{}-{}", frame.number, pointTypeNames[k]), std::move(block.stream));
     if (static_cast<PointType>(k) == PointType::Surface && t.meshes) {
@@ -127,15 +134,21 @@ PageData about(const Source& from, const std::vector<ListedFrame>& kept, const s
   return data;
 }
 
-/// Encodes a few frames into `sample`. Returns the estimated bytes of all frames that are kept.
-std::uint64_t estimate(const Source& from, const Thinning& t, Encoded& sample) {
+Encoded encodeSamples(const Source& from, const Thinning& t) {
+  Encoded sample;
   const std::size_t count = from.list.frames.size(), n = std::min(samples, count);
   for (std::size_t k = 0; k < n; k++)
     encodeFrame(from, from.list.frames[n == 1 ? count - 1 : k * (count - 1) / (n - 1)], t, sample);
   sample.sizes.frames = count;
+  return sample;
+}
+
+/// Returns the estimated bytes of all frames that are kept.
+std::uint64_t estimate(const Encoded& sample, const Thinning& t) {
+  const std::size_t count = sample.sizes.frames;
   std::size_t kept = 0;
   for (std::size_t k = 0; k < count; k++) kept += isKept(k, sample.sizes, t);
-  return sample.bytes * kept / n;
+  return sample.bytes * kept / std::min(samples, count);
 }
 
 std::string sizeText(std::uint64_t bytes) {
@@ -143,20 +156,30 @@ std::string sizeText(std::uint64_t bytes) {
   return b < 1e6 ? fmt::format("{:.0f} kB", b / 1e3) : fmt::format("{:.3g} MB", b / 1e6);
 }
 
-/// Returns a text about omitted tensors, frames and points, or "".
+/// Returns a text about omitted fields, frames, particles and points, or "".
 std::string leftOut(const Source& from, const Encoded& all, std::size_t kept, const Thinning& t) {
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
   const std::size_t count = from.list.frames.size();
   if (kept < count) add(fmt::format("{} of {} frames", count - kept, count));
   for (const auto& [type, level] : all.levels)
-    if (level > 0) add(fmt::format("{}: all but 1 of {} points", type, 1 << level));
+    if (level > 0) add(fmt::format("{}: all but 1 of {:.2g} points", type, std::exp2(level)));
   std::string names;
   if (!t.tensors)
     for (const std::string& name : all.tensors) names += (names.empty() ? "" : ", ") + name;
   if (!names.empty()) add("the field " + names);
+  if (!t.particles) add("particles");
   if (!t.meshes) add("meshes of surfaces");
   return text;
+}
+
+/// Returns a warning if a mesh has fewer than a quarter of its points, or "".
+std::string coarseText(const Encoded& all) {
+  for (const auto& [type, level] : all.levels)
+    if (level > 2 && type != pointTypeNames[static_cast<std::size_t>(PointType::Particles)])
+      return fmt::format("warning: the {} keeps only 1 of {:.2g} points; choose a larger --size", type,
+                         std::exp2(level));
+  return "";
 }
 
 /// Encodes all kept frames. Returns nothing if they exceed `bytes`.
@@ -169,6 +192,8 @@ std::optional<Encoded> encodeAll(const Source& from, const Thinning& t, std::uin
     if (!isKept(k, all.sizes, t)) continue;
     encodeFrame(from, from.list.frames[k], t, all);
     kept.push_back(from.list.frames[k]);
+    for (std::size_t type = 0; type < kept.back().has.size(); type++)
+      if (isSpare(from.list.frames[k], type) && !t.particles) kept.back().has[type] = false;
     if (all.bytes > bytes) return std::nullopt;
   }
   return all;
@@ -198,12 +223,13 @@ void exportPage(const PageExport& q) {
   const std::uint64_t bytes = q.budget - fixed;
   const auto start = std::chrono::steady_clock::now();
   Thinning t;
-  Encoded sample;
-  std::uint64_t expected = 0;
-  while ((expected = estimate(from, t, sample)) > bytes) {
+  Encoded sample = encodeSamples(from, t);
+  while (estimate(sample, t) > bytes) {
+    const std::size_t every = t.every;
     if (!thinFurther(sample.sizes, t)) refuse();
-    sample = {};
+    if (t.every == every) sample = encodeSamples(from, t);
   }
+  const std::uint64_t expected = estimate(sample, t);
   const double each = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() /
                       static_cast<double>(std::min(samples, from.list.frames.size()));
   const std::size_t count = (from.list.frames.size() + t.every - 1) / t.every;
@@ -227,6 +253,7 @@ void exportPage(const PageExport& q) {
   if (!note.empty())
     q.say(fmt::format("left out to stay within {} and {} points of each type: {}", sizeText(q.budget),
                       Thinning{}.most, note));
+  if (const std::string coarse = coarseText(*all); !coarse.empty()) q.say(coarse);
 }
 
 }  // namespace thaw

@@ -20,7 +20,7 @@ struct BlockRequest {
 struct FrameBlock {
   std::string stream;  ///< compressed packet
   std::uint64_t points = 0;
-  int level = 0;                     ///< one of 2^level points is in the block
+  double level = 0;                  ///< one of 2^level points is in the block
   std::vector<std::string> tensors;  ///< names of the tensors of the frame
 };
 

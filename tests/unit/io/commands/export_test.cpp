@@ -65,7 +65,7 @@ TEST_F(Export, MeshesAcrossPeriodicSidesAreWholeOrReported) {
       said.find("component 3, which extends through the periodic sides along x, is cut there and capped"),
       std::string::npos)
       << said;
-  EXPECT_NE(contentOf(folder / "rod.ply").find("comment component 3, which extends through"),
+  EXPECT_NE(contentOf(folder / "rod.ply").find("comment component 3 (body 0), which extends through"),
             std::string::npos);
   EXPECT_NEAR(volumeOf(readMesh((folder / "rod.ply").string())), 0.12, 0.01 * 0.12);
 }

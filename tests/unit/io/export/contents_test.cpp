@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstring>
 
+#include "io/export/polylines.hpp"
+#include "io/export/vtkhdf_series.hpp"
 #include "io/meshes/read_mesh.hpp"
 #include "tests/support/export_fixture.hpp"
 
@@ -30,6 +32,7 @@ struct Bgeo {
   std::vector<Attribute> attributes;
   std::vector<std::vector<float>> points;  ///< x y z w, then all attributes; integers as numbers
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::vector<std::uint32_t>> curves;
 
   std::uint32_t number(int size) {
     std::uint32_t v = 0;
@@ -52,7 +55,7 @@ struct Bgeo {
       attributes.push_back(a);
     }
     for (std::uint32_t k = 0; k < count[0]; k++) points.push_back(point());
-    while (triangles.size() < count[1]) readRun(count[0] > 0xffff ? 4 : 2);
+    while (triangles.size() + curves.size() < count[1]) readRun(count[0] > 0xffff ? 4 : 2);
     EXPECT_EQ(bytes.substr(at), std::string("\x00\xff", 2));
   }
   std::vector<float> point() {
@@ -70,8 +73,14 @@ struct Bgeo {
     const std::uint32_t polygons = number(2);
     ASSERT_EQ(number(4), 1u);
     for (std::uint32_t k = 0; k < polygons; k++) {
-      ASSERT_EQ(number(4), 3u);
-      ASSERT_EQ(bytes.at(at++), '<');
+      const std::uint32_t corners = number(4);
+      if (bytes.at(at++) == ':') {  // open
+        curves.emplace_back();
+        for (std::uint32_t c = 0; c < corners; c++) curves.back().push_back(number(width));
+        continue;
+      }
+      ASSERT_EQ(corners, 3u);
+      ASSERT_EQ(bytes.at(at - 1), '<');
       triangles.push_back({number(width), number(width), number(width)});
     }
   }
@@ -163,6 +172,64 @@ TEST_F(ExportContents, BgeoHoldsMeshesAndParticles) {
     volume -= dot(place(t[0]), cross(place(t[1]), place(t[2]))) / 6;  // clockwise from outside
   }
   EXPECT_NEAR(volume, 4.18879 * (0.125 + 0.008), 0.01);
+}
+
+TEST_F(ExportContents, BgeoHoldsCurvesAsOpenPolygons) {
+  const fs::path frame = writeOriented(folder / "frames" / "o_oriented_000001.hdf", 0);
+  ASSERT_EQ(write(frame, "bgeo", "oriented", folder / "o.bgeo"), 0) << said;
+  const Bgeo geo(folder / "o.bgeo");
+  EXPECT_EQ(geo.triangles.size(), 10u);
+  ASSERT_EQ(geo.curves, (std::vector<std::vector<std::uint32_t>>{{12, 13, 14, 15, 16}}));
+  for (std::uint32_t k = 0; k < 5; k++) EXPECT_EQ(geo.points.at(12 + k)[0], static_cast<float>(k));
+}
+
+TEST_F(ExportContents, VtkHdfHasLinesBetweenTrianglesAndParticles) {
+  ExportScene scene;
+  ComponentMesh curve, triangle;
+  curve.mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  curve.lines = {{0, 1}, {1, 2}};
+  triangle.mesh.vertices = {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
+  triangle.mesh.triangles = {{0, 1, 2}};
+  scene.objects.push_back({"oriented", ExportKind::Oriented, {curve, triangle}, {}, false});
+  scene.points.emplace();
+  scene.points->positions = {{5, 5, 5}};
+  const VtkHdfFrame f = vtkHdfFrameOf(scene);
+  EXPECT_EQ(f.triangles, 1);
+  EXPECT_EQ(f.lines, 2);
+  EXPECT_EQ(f.connectivity, (std::vector<std::int64_t>{3, 4, 5, 0, 1, 1, 2, 6}));
+}
+
+TEST(Polylines, CoverEachLineOnce) {
+  using Runs = std::vector<std::vector<std::uint32_t>>;
+  using Lines = std::vector<std::array<std::uint32_t, 2>>;
+  EXPECT_EQ(polylinesOf(Lines{{2, 1}, {0, 1}, {2, 3}}), (Runs{{0, 1, 2, 3}}));
+  EXPECT_EQ(polylinesOf(Lines{{0, 1}, {1, 2}, {2, 0}}), (Runs{{0, 1, 2, 0}})) << "closed";
+  EXPECT_EQ(polylinesOf(Lines{{0, 1}, {1, 2}, {1, 3}, {4, 5}}), (Runs{{0, 1}, {1, 2}, {1, 3}, {4, 5}}))
+      << "a branch";
+  EXPECT_TRUE(polylinesOf(Lines{}).empty());
+}
+
+// Labels of components are ids of particles, which contain the body.
+TEST_F(ExportContents, ComponentsHaveTheNameOfTheirBody) {
+  ASSERT_EQ(write(both(1, 0.1), "obj", "surface", folder / "a.obj"), 0) << said;
+  const std::string obj = contentOf(folder / "a.obj");
+  EXPECT_NE(obj.find("o body 0\n"), std::string::npos);
+  EXPECT_NE(obj.find("o body 0_9\n"), std::string::npos) << "the second piece";
+  ASSERT_EQ(write(both(1, 0.1), "ply", "surface", folder / "a.ply"), 0) << said;
+  EXPECT_NE(contentOf(folder / "a.ply").find("comment component 9 (body 0_9)\n"), std::string::npos);
+}
+
+TEST_F(ExportContents, GlassIsTransparentInUsd) {
+  const fs::path frame = both(1, 0.1);
+  const auto layer = [&](const std::string& look) {
+    std::string text = sceneText;
+    text.replace(text.find("motion ="), 0, "look = \"" + look + "\"\n");
+    writeSurfaceFrame(frame.string(), surfels, 0.1, true, text);
+    EXPECT_EQ(write(frame, "usda", "obstacles", folder / "a.usda"), 0) << said;
+    return contentOf(folder / "a.usda");
+  };
+  EXPECT_NE(layer("glass").find("float[] primvars:displayOpacity"), std::string::npos);
+  EXPECT_EQ(layer("solid").find("displayOpacity"), std::string::npos) << "the plane is a floor";
 }
 
 TEST_F(ExportContents, ObstaclesAreAtTheirPlace) {

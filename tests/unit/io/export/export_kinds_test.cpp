@@ -80,42 +80,6 @@ TEST_F(Export, SheetsKeepTheirTriangles) {
     EXPECT_NE(usd.find(part), std::string::npos) << part;
 }
 
-/// Two flat rows and a curve of oriented particles. `turn` rotates the order of the rows.
-fs::path writeOriented(const fs::path& path, std::size_t turn) {
-  std::vector<Vec3d> places;
-  std::vector<std::uint32_t> groups;
-  std::vector<std::uint64_t> ids;
-  for (int k = 0; k < 12; k++)
-    places.push_back({(k / 2) + 0.5 * (k % 2), 0.866 * (k % 2), 0}), groups.push_back(0),
-        ids.push_back(static_cast<std::uint64_t>(k));
-  for (int k = 0; k < 5; k++)
-    places.push_back({static_cast<double>(k), 9, 0}), groups.push_back(1),
-        ids.push_back(std::uint64_t(1) << 63 | static_cast<std::uint64_t>(k));
-  const auto turned = [&](auto& v) {
-    std::rotate(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(turn), v.end());
-  };
-  turned(places), turned(groups), turned(ids);
-  const std::size_t n = places.size();
-  std::vector<float> turns, radii(n, 1);
-  for (std::size_t k = 0; k < n; k++) turns.insert(turns.end(), {1, 0, 0, 0});
-  const std::vector<std::uint16_t> bodies(n, 0);
-  const std::vector<std::uint64_t> cuts(n, 0);
-  const std::vector<std::uint8_t> flags(n, 0);
-  Frame frame;
-  frame.count = n;
-  frame.positions = {"position", "m", Scalar::F64, 3, places.data()};
-  frame.fields = {{"id", "1", Scalar::U64, 1, ids.data()},
-                  {"oriented_body", "1", Scalar::U16, 1, bodies.data()},
-                  {"orientation", "1", Scalar::F32, 4, turns.data()},
-                  {"radius", "m", Scalar::F32, 1, radii.data()},
-                  {"group", "1", Scalar::U32, 1, groups.data()},
-                  {"cut_sides", "1", Scalar::U64, 1, cuts.data()},
-                  {"flags", "1", Scalar::U8, 1, flags.data()}};
-  startMpi();
-  writeFrame(path.string(), MPI_COMM_SELF, frame, {});
-  return path;
-}
-
 // Rows are on the ranks in any order. A curve has no triangles.
 TEST_F(Export, OrientedParticlesAreInIdOrderWithLinesOfCurves) {
   for (const std::string as : {"ply", "obj", "vtp"}) {
@@ -135,7 +99,13 @@ TEST_F(Export, OrientedParticlesAreInIdOrderWithLinesOfCurves) {
   EXPECT_NE(contentOf(folder / "o0.ply").find("element edge 4\nproperty int vertex1"), std::string::npos);
   EXPECT_EQ(readMesh((folder / "o0.obj").string()).triangles.size(), 10u);
   ASSERT_EQ(run(folder / "frames" / "o_oriented_000001.hdf", "usda", folder / "o.usda"), 0);
-  EXPECT_NE(contentOf(folder / "o.usda").find("def Mesh \"oriented\""), std::string::npos);
+  const std::string usd = contentOf(folder / "o.usda");
+  for (const char* part : {"def Mesh \"oriented\"", "def BasisCurves \"oriented_curves\"",
+                           "token type = \"linear\"", "int[] curveVertexCounts", "0: [5],"})
+    EXPECT_NE(usd.find(part), std::string::npos) << part << usd;
+  const std::string obj = contentOf(folder / "o0.obj");
+  EXPECT_NE(obj.find("o oriented_0\n"), std::string::npos);
+  EXPECT_NE(obj.find("o oriented_0_1\n"), std::string::npos) << "the second group of the body";
 }
 
 TEST_F(Export, ReadsItsFrames) {

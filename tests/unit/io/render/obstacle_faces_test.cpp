@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
+#include "io/render/light/glass_walk.hpp"
 #include "io/render/scene_job.hpp"
 #include "io/scene/read_scene.hpp"
+#include "io/surface_mesh/obstacle_mesh.hpp"
 
 using namespace thaw;
 
@@ -106,6 +109,41 @@ TEST(ObstacleFaces, SolidObstaclesCastShadowsAwayFromTheSun) {
   EXPECT_LT(brighter, darker / 4);
 }
 
+// The floor right of the box, in its shadow if the sun is on the left.
+TEST(ObstacleFaces, GlassCastsPaleShadowsOfItsColour) {
+  const auto floorLight = [](const std::string& look, double sun) {
+    Scene scene = boxScene(look);
+    scene.output.background = 0x808080u;
+    scene.output.sun = Vec3d{sun, 0, 1};
+    const Image image = pictureAt(scene, 0);
+    std::array<double, 3> sum{};
+    for (int y = 80; y < 94; y++)
+      for (int x = 124; x < 136; x++) {
+        const Rgb c = image.at(x, y);
+        sum[0] += c.r, sum[1] += c.g, sum[2] += c.b;
+      }
+    return sum;
+  };
+  const auto open = floorLight("glass", 1), solid = floorLight("solid", -1), glass = floorLight("glass", -1);
+  EXPECT_GT(glass[0], 1.1 * solid[0]);
+  EXPECT_GT(open[0], 1.01 * glass[0]);
+  EXPECT_GT(glass[0] / open[0], 1.1 * glass[1] / open[1]) << "the glass is red";
+}
+
+TEST(GlassShade, LightPassesBesideGlassAndInPartThroughIt) {
+  RenderStyle style;
+  Shape ball;
+  ball.kind = ShapeKind::Sphere, ball.radius = 0.5;
+  style.glasses.push_back({makeSignedDistance(ball, {}), identity3<double>(), {0, 0, 2}, {1, 0.0625f, 1}});
+  const GlassShade shade(glassWalks(style), {{0, 0, 1}}, 0);
+  EXPECT_EQ(shade.at({0.6f, 0, 0}), (Light{1, 1, 1}));
+  EXPECT_EQ(shade.at({0, 0, 3}), (Light{1, 1, 1})) << "the glass is below";
+  const Light middle = shade.at({0, 0, 0}), rim = shade.at({0.49f, 0, 0});
+  EXPECT_NEAR(middle.x, 0.95 * 0.95, 1e-3);         // two faces reflect 5 % each
+  EXPECT_NEAR(middle.y, 0.95 * 0.95 * 0.25, 1e-3);  // and each passes the fourth root of the colour
+  EXPECT_LT(rim.x, 0.8f * middle.x);
+}
+
 TEST(ObstacleFaces, TheBackgroundHasItsColour) {
   const Rgb corner = pictureAt(boxScene("glass"), 0).at(2, 2);
   EXPECT_NEAR(corner.r, 0x10, 3);
@@ -126,4 +164,20 @@ TEST(ObstacleFaces, TrianglesAreSmallAndKeepTheArea) {
   // Faces share vertices, and cast their shadows as a few large triangles.
   EXPECT_LT(all[0].places.size(), all[0].triangles.size());
   EXPECT_LE(all[0].casters.size(), 100u);
+}
+
+// Rounding must not move a plane at a side out of the domain.
+TEST(ObstacleMeshes, APlaneAtASideEndsAtTheOtherSides) {
+  Domain domain;
+  for (const double low : {-0.2, -0.3, -0.17, -0.013, 0.1, 0.7})
+    for (int axis = 0; axis < 3; axis++) {
+      domain.min = {low, low, low}, domain.max = {low + 0.55, low + 0.71, low + 1.13};
+      Obstacle plane;
+      plane.shape.kind = ShapeKind::HalfSpace;
+      plane.shape.point = {}, plane.shape.normal = {};
+      plane.shape.point[axis] = low, plane.shape.normal[axis] = 1;
+      for (const Vec3d& x : obstacleMesh(plane, domain).mesh.vertices)
+        for (int a = 0; a < 3; a++)
+          EXPECT_TRUE(x[a] > low - 1e-6 && x[a] < domain.max[a] + 1e-6) << low << axis;
+    }
 }

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "io/image/annotate.hpp"
+#include "io/image/linear_light.hpp"
 #include "io/image/text.hpp"
 
 using namespace thaw;
@@ -154,6 +155,30 @@ TEST(Text, DrawsInsideItsBox) {
   EXPECT_EQ(textWidth("111", 14), textWidth("888", 14));
   EXPECT_EQ(textWidth("\xC3\xA9", 14), textWidth("?", 14));  // one letter of two bytes
   EXPECT_EQ(textWidth("", 14), 0);
+}
+
+TEST(Text, IsLegibleOnAnyBackground) {
+  const auto relative = [](Rgb c) {
+    const Light l = toLinear(c);
+    return 0.2126 * l.x + 0.7152 * l.y + 0.0722 * l.z;
+  };
+  const Rgb ink{44, 48, 56};
+  for (const Rgb behind :
+       {Rgb{0, 0, 16}, Rgb{32, 48, 80}, Rgb{120, 120, 120}, Rgb{217, 130, 43}, Rgb{240, 242, 245}})
+    for (const Rgb colour : {ink, Rgb{217, 130, 43}, Rgb{255, 255, 255}}) {
+      Image image(100, 40, {255, 255, 255});
+      for (int y = 0; y < 40; y++)
+        for (int x = 0; x < 50; x++) image.at(x, y) = behind;
+      const double a = relative(readableOn(image, {0, 10, 50, 30}, colour)), b = relative(behind);
+      EXPECT_GE((std::max(a, b) + 0.05) / (std::min(a, b) + 0.05), 4.5);
+    }
+  const Image pale(100, 40, {232, 236, 241});
+  EXPECT_EQ(readableOn(pale, {0, 0, 100, 40}, ink), ink) << "a readable colour is kept";
+  Image dark(100, 40, {32, 48, 80});
+  drawText(dark, 50, 30, "t = 1 s", {14, ink, Align::Centre});
+  EXPECT_GT(
+      std::max_element(dark.pixels.begin(), dark.pixels.end(), [](Rgb p, Rgb q) { return p.g < q.g; })->g,
+      130);
 }
 
 TEST(Text, IsFittedToTheAvailableRoom) {

@@ -60,6 +60,14 @@ TEST(FollowOnErrors, UnknownTableHidesMissingNames) {
              "unknown key 'materials'; did you mean 'material'?");
 }
 
+TEST(FollowOnErrors, AnUnknownTableOfAnotherKindKeepsMissingNames) {
+  const std::vector<std::string> lines = errorsOf(start + "[outpt]\n" + body);
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_NE(lines[0].find("unknown key 'outpt'; did you mean 'output'?"), std::string::npos) << lines[0];
+  EXPECT_NE(lines[1].find("unknown material 'wax'"), std::string::npos) << lines[1];
+  expectOnly(start + "[xyz]\n" + body, "unknown key 'xyz'");
+}
+
 TEST(FollowOnErrors, OtherTablesAndValuesAreStillReported) {
   const std::vector<std::string> lines = errorsOf(start + "[material.wax]\nyuong = 1e5\nviscosity = -1\n" +
                                                   body + "[[emitter]]\nmaterial = 'oil'\n");

@@ -108,12 +108,26 @@ TEST(PageThinning, LeavesOutTensorsThenFramesThenPoints) {
   EXPECT_TRUE(thinFurther(sizes, t));
   EXPECT_FALSE(t.tensors);
   EXPECT_EQ(t.every, 1u);
+  for (std::size_t before = 1; t.most == 500000u; before = t.every) {
+    ASSERT_TRUE(thinFurther(sizes, t));
+    EXPECT_LE(t.every, 2 * before);
+  }
+  const std::size_t left = (240 + t.every - 1) / t.every;
+  EXPECT_TRUE(left >= 8 && left <= 11) << left;
+  EXPECT_EQ(t.most, 30000u);
   EXPECT_TRUE(thinFurther(sizes, t));
-  EXPECT_TRUE(thinFurther(sizes, t));
-  EXPECT_EQ(t.every, 4u);
-  EXPECT_EQ(t.most, 500000u);
-  EXPECT_TRUE(thinFurther(sizes, t));
-  EXPECT_EQ(t.most, 20000u);
+  EXPECT_EQ(t.most, 22500u);
+}
+
+// Particles beside a surface go before most frames and before any of its points.
+TEST(PageThinning, LeavesOutParticlesBesideASurface) {
+  for (const bool spare : {true, false}) {
+    const PageSizes sizes{240, 40000, false, true, spare};
+    Thinning t;
+    while (t.most == 500000u && t.particles) ASSERT_TRUE(thinFurther(sizes, t));
+    EXPECT_EQ(t.particles, !spare);
+    if (spare) { EXPECT_TRUE(t.every <= 4 && t.most == 500000u && t.meshes); }
+  }
 }
 
 TEST(PageThinning, EndsAndKeepsTheFirstAndTheLastFrame) {
