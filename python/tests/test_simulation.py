@@ -473,7 +473,7 @@ def test_loads_that_are_not_finite_are_refused():
 def test_a_simulation_that_blew_up_takes_no_further_step():
     sim = thaw.Simulation(drop())
     sim.add_force(lambda p, t: np.full((len(p), 3), 1e30))
-    with pytest.raises(thaw.BlewUp):
+    with pytest.raises(thaw.BlewUp, match=r'\(outside 1.73e\+30 N, '):  # not: viscosity
         sim.run(until=1)
     for go in (sim.step, sim.run):
         with pytest.raises(thaw.BlewUp):
@@ -799,6 +799,42 @@ def test_extensions_that_fail_end_no_interpreter():
     thaw.register_extension('negative', {}, force=lambda p, t, values: 0, step_limit=lambda values: -1)
     with pytest.raises(ValueError, match="extension 'negative': step_limit returned -1"):
         thaw.Simulation(drop(extension={'negative': {}}))
+    thaw.register_extension('limitless', {}, force=lambda p, t, values: 0, step_limit=lambda values: None)
+    with pytest.raises(ValueError, match='step_limit returned None; expected seconds above 0'):
+        thaw.Simulation(drop(extension={'limitless': {}}))
+
+
+def test_units_of_extensions_are_those_of_scenes():
+    for unit, problem in (('furlong', "unknown unit 'furlong'"), ('mm', 'expected an SI unit')):
+        with pytest.raises(ValueError, match=f"'pacer': key 'stride' has the unit '{unit}'.*{problem}"):
+            thaw.register_extension('pacer', {'stride': (1, unit)}, force=lambda p, t, values: 0)
+    thaw.register_extension(
+        'pacer', {'a': (1, 'kg m^2/s'), 'b': (1, '1'), 'c': (1, 'W/(m K)')}, force=lambda p, t, values: 0
+    )
+    assert thaw.Simulation(drop(extension={'pacer': {'c': '2 mW/(mm K)'}})).step()
+
+
+def test_a_simulation_without_a_folder_writes_nothing():
+    sim = thaw.Simulation(drop())
+    for call in ('write_frame', 'write_checkpoint', 'restore'):
+        with pytest.raises(RuntimeError, match=f'{call}: the simulation has no folder; give one'):
+            getattr(sim, call)()
+
+
+def test_scenes_have_a_name(folder):
+    with thaw.Simulation(thaw.Scene(dict(drop().keys), name=''), folder) as sim:
+        assert sim.scene.name == 'scene'
+    assert thaw.open(folder).frames[0].path.endswith('frames/scene_000000.hdf')
+
+
+def test_errors_list_offered_fields_only():
+    sim = thaw.Simulation(plate())
+    with sim.local('solids') as p, pytest.raises(thaw.FieldError, match='There are: ') as error:
+        p['colour']
+    listed = set(str(error.value).split('There are: ')[1].rstrip('.').split(', '))
+    assert listed == set(sim.fields('solids')) and 'volume' in listed
+    offered = listed | set(sim.fields())
+    assert not offered & {'slot', 'cell', 'frame', 'just_frozen', 'particle', 'end', 'end_double', 'changed'}
 
 
 def test_a_refused_restart_ends_no_interpreter(folder):
