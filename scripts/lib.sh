@@ -4,13 +4,15 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build/release
 
-# Packages that a bare Debian 12 lacks to build thaw. Tests also need python_packages, charts chart_packages,
-# and the manual docs_packages.
+# Packages that a bare Debian 12 lacks to build thaw. Tests also need python_packages, those of examples and
+# of pip example_packages and pip_packages, charts chart_packages, and the manual docs_packages.
 packages=(g++ cmake ninja-build openmpi-bin libopenmpi-dev libhdf5-openmpi-dev libeigen3-dev
   libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libmuparser-dev libpng-dev
   libnanoflann-dev libgtest-dev python3)
 case ${CXX:-} in clang++*) packages+=("clang${CXX#clang++}") ;; esac  # CXX=clang++-14 selects Clang
 python_packages=(python3-dev pybind11-dev python3-numpy python3-h5py python3-mpi4py python3-pytest)
+example_packages=(python3-matplotlib python3-scipy)
+pip_packages=(python3-pip python3-venv python3-setuptools python3-wheel)
 chart_packages=(python3-matplotlib)
 docs_packages=(python3-sphinx python3-myst-parser furo)
 lint_packages=(black clang-format-14 clang-tidy-14 codespell git python3)

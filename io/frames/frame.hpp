@@ -25,6 +25,7 @@ struct FrameField {
   /// Writes rows [first, first + count) of this rank to `to`. Called chunk by chunk, so that a frame needs no
   /// memory of its own.
   std::function<void(const RowRange& local, std::byte* to)> fill = {};
+  std::string meaning = {};  ///< one line, for fields of extensions
 };
 
 /// This rank's part of a frame. time, step and the fields' names and types are the same on all ranks.

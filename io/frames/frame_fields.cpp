@@ -68,6 +68,7 @@ void addExtensionField(Frame& f, const AddedColumn& column) {
   addRows<float>(f, column.name, column.unit, column.components, [&column](std::size_t i, float* to) {
     for (int k = 0; k < column.components; k++) to[k] = static_cast<float>(column.row(i)[k]);
   });
+  f.fields.back().meaning = column.about;
 }
 
 /// Adds a field of heat. Returns false for other names.

@@ -75,7 +75,8 @@ void writeWith(const std::string& path, MPI_Comm comm, const Frame& frame, const
                                 points.mine,
                                 f.data,
                                 f.unit,
-                                f.fill});
+                                f.fill,
+                                f.meaning});
   };
   addField("/VTKHDF/Points", frame.positions);
   addMade("/VTKHDF/Connectivity", integer, ends,

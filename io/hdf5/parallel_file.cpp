@@ -71,6 +71,7 @@ void layOut(const std::string& part, const ParallelFileContent& content,
     const SpreadDataset& d = content.datasets[k];
     file.createDataset(d.name, d.shape);
     if (!d.unit.empty()) file.setText(d.name, "units", d.unit);
+    if (!d.meaning.empty()) file.setText(d.name, "meaning", d.meaning);
     if (content.checked) file.setInteger(d.name, "checksum", static_cast<std::int64_t>(checksums[k]));
   }
   if (content.small) content.small(file);
@@ -221,7 +222,7 @@ void writeParallelFile(const std::string& path, MPI_Comm comm, const ParallelFil
     std::uint64_t bytes = (1 << 18) + content.smallBytes;  // bytes besides the distributed datasets
     for (std::size_t k = 0; k < content.datasets.size(); k++) {
       const SpreadDataset& d = content.datasets[k];
-      bytes += d.shape.rows * d.shape.rowBytes() + 1024;
+      bytes += d.shape.rows * d.shape.rowBytes() + d.meaning.size() + 1024;
       if (content.checked)
         eachPiece(d, made, [&](const RowRange& local, const std::byte* data) {
           checksums[k] += checksumRows(data, {d.mine.first + local.first, local.count}, d.shape.rowBytes());

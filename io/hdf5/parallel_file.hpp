@@ -26,6 +26,7 @@ struct SpreadDataset {
   /// Writes rows [first, first + count) of this rank (0: its first) to `to`. Called chunk by chunk; a chunk
   /// may be requested again.
   std::function<void(const RowRange& local, std::byte* to)> fill;
+  std::string meaning = {};  ///< attribute "meaning"; empty: none
 };
 
 struct ParallelFileContent {

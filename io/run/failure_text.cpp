@@ -102,6 +102,7 @@ std::string failureText(World& w, StepTools& t, const StepOutcome& o, const Fail
   add(m.solid, "elastic", f.elastic);
   add(m.contact, "contact", f.contact);
   add(!w.walls.list.empty(), "walls", f.walls);
+  add(w.particles.outsideForce.active, "outside", f.outside);
   add(true, "weight", f.weight);
   std::stable_sort(terms.begin(), terms.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });

@@ -26,6 +26,12 @@ std::string failureMessage(const std::string& scene, const std::exception& e) {
   return scene + ": error: " + e.what();
 }
 
+/// Gives a scene without a file a name for messages and frames.
+RunOptions withName(RunOptions options) {
+  if (options.scene.empty()) options.scene = "scene";
+  return options;
+}
+
 }  // namespace
 
 namespace {
@@ -124,13 +130,14 @@ Simulation::Simulation(RunOptions options, MPI_Comm comm)
 }
 
 Simulation::Simulation(Scene scene, RunOptions options, MPI_Comm comm)
-    : parts_(std::make_unique<Parts>(std::move(options), comm)) {
+    : parts_(std::make_unique<Parts>(withName(std::move(options)), comm)) {
   checkBuiltScene(scene, parts_->options.scene);
   parts_->takeLock();
   parts_->open(std::move(scene));
 }
 
 Simulation Simulation::fromText(const std::string& text, RunOptions options, MPI_Comm comm) {
+  options = withName(std::move(options));
   Scene scene = readScene(sceneFilesOf(options.scene, text), options.overrides);
   auto parts = std::make_unique<Parts>(std::move(options), comm);
   parts->takeLock();

@@ -40,8 +40,9 @@ class Simulation {
   /// Throws SceneErrors, ShapeError, IoError or std::runtime_error, alike on all ranks.
   explicit Simulation(RunOptions options, MPI_Comm comm = MPI_COMM_WORLD);
   /// The same with a scene that the program made or changed, equal on all ranks. options.scene is a name for
-  /// messages and files. A restart compares the scene with that of the checkpoint. Throws SceneErrors for
-  /// values out of the ranges of scene files, and for references to materials that are not there.
+  /// messages and files, "scene" by default. A restart compares the scene with that of the checkpoint. Throws
+  /// SceneErrors for values out of the ranges of scene files, and for references to materials that are not
+  /// there.
   Simulation(Scene scene, RunOptions options, MPI_Comm comm = MPI_COMM_WORLD);
   /// The same with the text of a scene file (TOML), equal on all ranks; paths are relative to the working
   /// folder.

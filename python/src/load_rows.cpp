@@ -1,23 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "python/src/load_rows.hpp"
 
+#include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <stdexcept>
 
 namespace py = pybind11;
 
 namespace thaw::python {
 
+namespace {
+
+/// Fields with a meaning only inside of a step or of the library.
+constexpr const char* internalFields[] = {"frame", "justFrozen", "setLabel", "newborn", "tension_force"};
+
+/// Returns true for a field that Python programs can read. Indices of a rank's rows and packed data, wider
+/// than a matrix, are not offered.
+bool isOffered(const AnyColumn& c) {
+  return c.active && c.keep != Keep::Local && c.components <= 9 &&
+         std::none_of(std::begin(internalFields), std::end(internalFields),
+                      [&](const char* name) { return std::strcmp(name, c.name) == 0; });
+}
+
+}  // namespace
+
 std::vector<FieldNote> notesOf(const Table& table) {
   std::vector<FieldNote> all;
   for (const AnyColumn* c : table.columns)
-    if (c->active) all.emplace_back(pythonName(c->name), c->unit, c->about, c->components);
+    if (isOffered(*c)) all.emplace_back(pythonName(c->name), c->unit, c->about, c->components);
   return all;
 }
 
 AnyColumn& columnOf(Table& table, const std::string& field) {
   for (AnyColumn* c : table.columns)
-    if (c->active && pythonName(c->name) == field) return *c;
+    if (isOffered(*c) && pythonName(c->name) == field) return *c;
   throw py::key_error(field);
 }
 

@@ -15,8 +15,9 @@ namespace thaw::python {
 
 /// Name, unit, meaning, components.
 using FieldNote = std::tuple<std::string, std::string, std::string, int>;
+/// Returns the fields that Python programs can read.
 std::vector<FieldNote> notesOf(const Table& table);
-/// Returns the active column of that name in Python. Throws KeyError.
+/// Returns the column of such a field by its name in Python. Throws KeyError.
 AnyColumn& columnOf(Table& table, const std::string& field);
 
 /// Returns true for a field of an extension, which programs may write.

@@ -13,6 +13,7 @@
 #include "python/src/obstacle.hpp"
 #include "python/src/python_simulation.hpp"
 #include "python/src/register_functions.hpp"
+#include "python/src/surface_file.hpp"
 
 namespace py = pybind11;
 
@@ -133,6 +134,13 @@ PYBIND11_MODULE(_core, m) {
       },
       py::arg("name"), py::arg("about"), py::arg("keys"), py::arg("fields"), py::arg("load"),
       py::arg("update"), py::arg("step_limit"), py::arg("heats"));
+  m.def(
+      "write_surface_file",
+      [](const std::string& frame, const std::string& file, double cell) {
+        const py::gil_scoped_release others;
+        writeSurfaceFile(frame, file, cell);
+      },
+      py::arg("frame"), py::arg("file"), py::arg("cell"), "Writes the meshes of a frame of surfels as PLY.");
   m.def("check", &checkOf, py::arg("path"), py::arg("overrides"), py::arg("ranks"),
         "The report of `thaw check --json` on a file, as JSON.");
   m.def(

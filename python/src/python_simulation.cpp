@@ -146,6 +146,13 @@ void PythonSimulation::refuseChange(const char* what) const {
                              ": not possible within a step; do it after sim.run() or sim.step()");
 }
 
+void PythonSimulation::requireFolder(const char* what) const {
+  if (!sim_.writes())
+    throw std::runtime_error(
+        std::string(what) +
+        ": the simulation has no folder; give one, as thaw.Simulation(scene, \"out/run\")");
+}
+
 void PythonSimulation::endRun(const SharedFailure& failure) {
   if (!sim_.busy()) sim_.resume();
   throwFailure(*calls_, failure);
@@ -230,6 +237,7 @@ int PythonSimulation::finish() {
 
 void PythonSimulation::restore() {
   refuseChange("restore");
+  requireFolder("restore");
   together("sim.restore", [&](SharedFailure& failure) {
     calls_->arrays.release();
     sim_.restore();
@@ -378,6 +386,7 @@ void PythonSimulation::endBlock(bool edit) {
 void PythonSimulation::writeFrame() {
   refuseOtherThread();
   if (blocks_ > 0) refuseChange("write_frame");
+  requireFolder("write_frame");
   together("sim.write_frame", [&](SharedFailure& failure) {
     sim_.writeFrame();  // with functions of on_frame
     if (!sim_.busy()) failure = shareFailure(*calls_, sim_.communicator());
@@ -388,6 +397,7 @@ void PythonSimulation::writeFrame() {
 void PythonSimulation::writeCheckpoint() {
   refuseOtherThread();
   if (blocks_ > 0) refuseChange("write_checkpoint");
+  requireFolder("write_checkpoint");
   together("sim.write_checkpoint", [&](SharedFailure&) { return sim_.writeCheckpoint(), true; });
 }
 

@@ -91,6 +91,7 @@ class PythonSimulation {
   class Busy;
   void refuseOtherThread() const;
   void refuseChange(const char* what) const;
+  void requireFolder(const char* what) const;
   const Simulation& sim() const { return refuseOtherThread(), sim_; }
   Simulation& sim() { return refuseOtherThread(), sim_; }
   Table& tableOf(const std::string& name);

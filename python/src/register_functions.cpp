@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/domain/extensions.hpp"
+#include "io/scene/text/units.hpp"
 #include "python/src/load_rows.hpp"
 
 namespace py = pybind11;
@@ -26,13 +27,27 @@ Function made(const py::function* make, const ExtensionSettings& settings) {
 double stepLimit(const std::string& name, const py::function* limit, const ExtensionSettings& settings) {
   double dt = never;
   guarded([&] {
-    const double given = (*limit)(settings.values).cast<double>();
+    const py::object value = (*limit)(settings.values);
+    double given = 0;
+    try {
+      given = value.cast<double>();
+    } catch (const py::cast_error&) {}  // not a number
     if (!(given > 0))
-      throw py::value_error("extension '" + name + "': step_limit returned " + std::to_string(given) +
-                            "; expected seconds above 0");
+      throw py::value_error("extension '" + name + "': step_limit returned " +
+                            py::repr(value).cast<std::string>() + "; expected seconds above 0");
     dt = given;
   });
   return dt;
+}
+
+/// Throws for a unit that scene files do not have. Plain numbers are in it, so it must be in SI.
+void checkUnit(const std::string& name, const std::string& key, const std::string& unit) {
+  if (unit.empty() || unit == "1") return;
+  const Quantity one = parseQuantity("1 " + unit);
+  if (one.error.empty() && one.hasUnit && one.value == 1) return;
+  throw py::value_error("extension '" + name + "': key '" + key + "' has the unit '" + unit + "'" +
+                        (one.error.empty() ? "" : " (" + one.error + ")") +
+                        "; expected an SI unit of scene files, such as \"m/s\"");
 }
 
 }  // namespace
@@ -42,8 +57,10 @@ void registerFunctions(const std::string& name, const std::string& about, const 
   Extension e;
   e.name = name;
   e.about = about;
-  for (const auto& [key, unit, standard, least, most, meaning] : keys)
+  for (const auto& [key, unit, standard, least, most, meaning] : keys) {
+    checkUnit(name, key, unit);
     e.keys.push_back({key, unit, standard, least, most, meaning});
+  }
   for (const auto& [field, unit, meaning, components, start] : fields)
     e.fields.push_back({field, unit, meaning, components, start});
   if (!functions.load.is_none())

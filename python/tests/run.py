@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs the tests of the package against a build: run.py BUILD_FOLDER [options of pytest].
+"""Runs tests of the package against a build: run.py BUILD_FOLDER [--examples] [options of pytest].
 
+--examples: those of examples/python, without it all others.
 Exit status 77, with the reason, where numpy, h5py or pytest is missing.
 """
 import importlib.util
@@ -11,7 +12,7 @@ import sys
 
 def main():
     if len(sys.argv) < 2:
-        sys.exit('usage: run.py BUILD_FOLDER [options of pytest]')
+        sys.exit('usage: run.py BUILD_FOLDER [--examples] [options of pytest]')
     missing = [name for name in ('numpy', 'h5py', 'pytest') if importlib.util.find_spec(name) is None]
     if missing:
         packages = ' '.join(f'python3-{name}' for name in missing)
@@ -24,10 +25,11 @@ def main():
     os.environ['THAW_PROGRAM'] = str(build / 'thaw')
     sys.dont_write_bytecode = True
     here = str(pathlib.Path(__file__).resolve().parent)
-    simulations = here + '/test_simulation.py'  # on several numbers of ranks (tests/CMakeLists.txt)
-    return pytest.main(
-        ['-q', '-p', 'no:cacheprovider', '--rootdir', here, here, '--ignore', simulations, *sys.argv[2:]]
-    )
+    options, examples = sys.argv[2:], here + '/test_examples.py'
+    chosen = [here, '--ignore', examples, '--ignore', here + '/test_simulation.py']  # the latter by mpirun
+    if options[:1] == ['--examples']:
+        options, chosen = options[1:], [examples]
+    return pytest.main(['-q', '-p', 'no:cacheprovider', '--rootdir', here, *chosen, *options])
 
 
 if __name__ == '__main__':

@@ -44,6 +44,13 @@ def test_the_melting_front_is_that_of_the_ledger(bodies: str) -> None:
     assert '16 of 64 particles of bust have melted' in runExample('melting_front.py', bodies, 'bust')
 
 
+def test_the_melting_front_is_plotted(bodies: str, tmp_path: pathlib.Path) -> None:
+    pytest.importorskip('matplotlib')
+    picture = tmp_path / 'front.png'
+    assert str(picture) in runExample('melting_front.py', bodies, 'bust', str(picture))
+    assert isPicture(picture)
+
+
 def test_drops_are_counted_across_periodic_sides(drops: str, jet: str) -> None:
     run = thaw.open(drops)
     sizes = sorted((int(run.frames[0].body(k).sum()) for k in (0, 1)), reverse=True)

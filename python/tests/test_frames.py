@@ -149,6 +149,28 @@ def test_the_mesh_of_a_surface_has_the_volume_of_the_surface(drops: str) -> None
     assert 0 < len(coarse.triangles) < 0.9 * len(mesh.triangles)
 
 
+def withoutCore() -> None:
+    raise ImportError('no compiled part')
+
+
+def test_the_compiled_part_makes_the_mesh_of_the_program(drops: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    try:
+        thaw._load.core()
+    except ImportError as error:
+        pytest.skip(str(error))
+    surface = thaw.open(drops).frames[2].surface  # with a component across the periodic sides
+    by_program = [surface.mesh(cell) for cell in (None, 2)]
+    monkeypatch.delenv('THAW_PROGRAM')
+    monkeypatch.setenv('PATH', '/nowhere')
+    for cell, other in zip((None, 2), by_program):
+        mesh = surface.mesh(cell)
+        for name in ('vertices', 'triangles', 'normals', 'colors', 'component', 'labels'):
+            assert len(getattr(mesh, name)) > 0
+            assert np.array_equal(getattr(mesh, name), getattr(other, name)), name
+    with pytest.raises(ValueError, match='cell: expected a number from 0.2 to 10, got 0'):
+        surface.mesh(0)
+
+
 def test_an_exported_mesh_is_read_without_the_program(
     copyOfDrops: pathlib.Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -162,6 +184,7 @@ def test_an_exported_mesh_is_read_without_the_program(
         surface.mesh(cell=2)
     monkeypatch.delenv('THAW_PROGRAM')
     monkeypatch.setenv('PATH', '/nowhere')
+    monkeypatch.setattr('thaw.mesh.core', withoutCore)
     with pytest.raises(thaw.ProgramError, match='put it on PATH.*THAW_PROGRAM.*thaw export'):
         surface.mesh(cell=2)
     path = copyOfDrops / 'export/drops_surface_000001.ply'

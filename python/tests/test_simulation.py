@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Simulations from Python, on any number of ranks: mpirun -n 3 python3 -m pytest test_simulation.py"""
 
+import copy
 import gc
 import operator
 import os
+import pickle
 import resource
 import signal
 import subprocess
@@ -91,6 +93,13 @@ def test_fields_have_units_and_meanings():
     assert sim.tables == ['particles']
 
 
+def test_all_fields_of_frames_have_a_meaning():
+    fields = drop().schema()['properties']['output']['properties']['fields']['items']['enum']
+    assert len(fields) > 10
+    for name in set(fields) - {'surface_velocity'}:  # surfels have it as 'velocity'
+        assert thaw.meanings.meaningOf('particles', name), name
+
+
 def test_arrays_share_the_memory_of_the_simulation():
     sim = thaw.Simulation(drop())
     sim.run(steps=3)
@@ -108,8 +117,9 @@ def test_arrays_end_with_their_block():
     sim = thaw.Simulation(drop())
     with sim.local() as p:
         position, half, plain = p.position, p.velocity[::2], np.asarray(p.velocity)
+        single = p.mass[:1]
         before = plain.copy()
-        copies = p.position.copy(), p.position + 0, p.position[p.mass > 0]
+        copies = p.position.copy(), p.position + 0, p.position[p.mass > 0], p.position.flatten()[::3]
     for access in (
         lambda: position[0],
         lambda: position.sum(),
@@ -119,17 +129,51 @@ def test_arrays_end_with_their_block():
         lambda: half.__iadd__(1),
         lambda: len(position),
         lambda: position.copy(),
+        lambda: position == 0,
+        lambda: 0 != position,
+        lambda: np.zeros_like(before) == position,
+        lambda: 0 in position,
+        lambda: position.flat,
+        lambda: position.data,
+        lambda: position.T,
+        lambda: position.shape,
+        lambda: position.view(np.ndarray),
+        lambda: position.flatten(),
+        lambda: position.take([0]),
+        lambda: position.__array_interface__,
+        lambda: half.sort(),
+        lambda: copy.copy(position),
+        lambda: copy.deepcopy(position),
+        lambda: pickle.dumps(position),
+        lambda: list(position),
+        lambda: float(single),
+        lambda: bool(single),
         lambda: len(p),
+        lambda: list(p),
+        lambda: 'position' in p,
         lambda: p.fields(),
         lambda: p.position,
     ):
         with pytest.raises(RuntimeError, match='ended'):
             access()
-    assert all(len(copy) == len(before) for copy in copies)  # these are the program's own
+    assert all(len(own) == len(before) for own in copies)  # these are the program's own
+    assert all((own == own).all() for own in copies)
+    assert repr(position) == '<array of a block that has ended>'
+    assert np.array_equal(np.asarray(position), copies[0])  # the buffer itself
     plain[:] = 5  # changes no more than this array
     assert np.all(sim.gather('velocity') == 0) and sim.ledger['momentum_x'] == 0
     assert sim.step()
     assert np.array_equal(before, np.zeros_like(before)) and (plain == 5).all()
+
+
+def test_rows_are_iterated_by_field():
+    sim = thaw.Simulation(drop())
+    with sim.local() as p:
+        assert list(p) == p.fields() == list(sim.fields())
+        assert 'velocity' in p and 'colour' not in p and 3 not in p
+        assert all(len(p[name]) == len(p) for name in p)
+        with pytest.raises(TypeError, match='expected the name of a field, such as .*, got 3'):
+            p[3]
 
 
 @pytest.mark.skipif(RANKS > 1, reason='one rank shows it')
@@ -429,7 +473,7 @@ def test_loads_that_are_not_finite_are_refused():
 def test_a_simulation_that_blew_up_takes_no_further_step():
     sim = thaw.Simulation(drop())
     sim.add_force(lambda p, t: np.full((len(p), 3), 1e30))
-    with pytest.raises(thaw.BlewUp):
+    with pytest.raises(thaw.BlewUp, match=r'\(outside 1.73e\+30 N, '):  # not: viscosity
         sim.run(until=1)
     for go in (sim.step, sim.run):
         with pytest.raises(thaw.BlewUp):
@@ -672,7 +716,7 @@ def test_extensions_have_keys_in_scenes():
         thaw.Simulation(drop(extension={'tarp': {}}))
 
 
-def test_extensions_have_fields():
+def test_extensions_have_fields(folder):
     def update(p, t, dt, values):
         p.dose[:] += values['power'] * dt
         p['trace'][:, 1] = p.id
@@ -687,7 +731,8 @@ def test_extensions_have_fields():
     scene = plate()
     del scene['material']['wax']['heat_source']  # the extension alone turns heat on
     scene['extension'] = {'lamp': {'power': 5}}
-    sim = thaw.Simulation(scene)
+    scene['output'] = {'every': 0.005, 'fields': ['dose', 'trace', 'velocity']}
+    sim = thaw.Simulation(scene, folder)
     sim.run(until=0.01)
     assert sim.fields()['dose'] == ('J/kg', 'heat absorbed', 1)
     np.testing.assert_allclose(sim.gather('dose'), 5 * 0.01, rtol=1e-12)
@@ -699,6 +744,9 @@ def test_extensions_have_fields():
         assert sim.particles is p
         assert (sim.particles['dose'] > 0).all()
     assert abs(sim.ledger['heat_residual']) < 1e-9 * sim.ledger['heat_scale']
+    frame = thaw.open(folder).frames[-1].fields
+    assert frame['dose'][:2] == ('J/kg', 'heat absorbed') and frame['trace'].meaning == ''
+    assert frame['velocity'].meaning == 'velocity x, y, z'
     assert 'dose' not in thaw.Simulation(plate()).fields()
     with pytest.raises(ValueError, match='field of the model'):
         thaw.register_extension('other', fields={'velocity': 'm/s'})
@@ -751,6 +799,42 @@ def test_extensions_that_fail_end_no_interpreter():
     thaw.register_extension('negative', {}, force=lambda p, t, values: 0, step_limit=lambda values: -1)
     with pytest.raises(ValueError, match="extension 'negative': step_limit returned -1"):
         thaw.Simulation(drop(extension={'negative': {}}))
+    thaw.register_extension('limitless', {}, force=lambda p, t, values: 0, step_limit=lambda values: None)
+    with pytest.raises(ValueError, match='step_limit returned None; expected seconds above 0'):
+        thaw.Simulation(drop(extension={'limitless': {}}))
+
+
+def test_units_of_extensions_are_those_of_scenes():
+    for unit, problem in (('furlong', "unknown unit 'furlong'"), ('mm', 'expected an SI unit')):
+        with pytest.raises(ValueError, match=f"'pacer': key 'stride' has the unit '{unit}'.*{problem}"):
+            thaw.register_extension('pacer', {'stride': (1, unit)}, force=lambda p, t, values: 0)
+    thaw.register_extension(
+        'pacer', {'a': (1, 'kg m^2/s'), 'b': (1, '1'), 'c': (1, 'W/(m K)')}, force=lambda p, t, values: 0
+    )
+    assert thaw.Simulation(drop(extension={'pacer': {'c': '2 mW/(mm K)'}})).step()
+
+
+def test_a_simulation_without_a_folder_writes_nothing():
+    sim = thaw.Simulation(drop())
+    for call in ('write_frame', 'write_checkpoint', 'restore'):
+        with pytest.raises(RuntimeError, match=f'{call}: the simulation has no folder; give one'):
+            getattr(sim, call)()
+
+
+def test_scenes_have_a_name(folder):
+    with thaw.Simulation(thaw.Scene(dict(drop().keys), name=''), folder) as sim:
+        assert sim.scene.name == 'scene'
+    assert thaw.open(folder).frames[0].path.endswith('frames/scene_000000.hdf')
+
+
+def test_errors_list_offered_fields_only():
+    sim = thaw.Simulation(plate())
+    with sim.local('solids') as p, pytest.raises(thaw.FieldError, match='There are: ') as error:
+        p['colour']
+    listed = set(str(error.value).split('There are: ')[1].rstrip('.').split(', '))
+    assert listed == set(sim.fields('solids')) and 'volume' in listed
+    offered = listed | set(sim.fields())
+    assert not offered & {'slot', 'cell', 'frame', 'just_frozen', 'particle', 'end', 'end_double', 'changed'}
 
 
 def test_a_refused_restart_ends_no_interpreter(folder):

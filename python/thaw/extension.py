@@ -58,7 +58,7 @@ def register_extension(
 ) -> None:
     """Registers a force, a source of heat, or fields that scenes name as [extension.NAME].
 
-    keys: name -> default, or (default, unit), or (default, unit, least, most, meaning).
+    keys: name -> default, or (default, unit), or (default, unit, least, most, meaning); the unit in SI.
     force: force(p, t, values) returns newtons of shape (n, 3) for the n particles p of this rank, at the
     time t (s).
     heat: heat(p, t, values) returns watts of shape (n,).

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import dataclasses
 import os
-from typing import TYPE_CHECKING, Dict, Optional, Tuple, Type, TypeVar
+from typing import TYPE_CHECKING, Callable, Dict, Optional, Tuple, Type, TypeVar
 
 import numpy as np
 
 from .errors import FieldError, FileError, MissingError
-from .mesh import Mesh, exportedMesh, makeMesh, readPly
+from .mesh import Mesh, exportedMesh, makeMesh, readPly, surfaceMesh
 from .points import BodyPoints, Head, Points
 
 if TYPE_CHECKING:
@@ -23,9 +23,9 @@ def frameFile(folder: str, name: str, kind: str, number: int) -> str:
     return os.path.join(folder, f'{name}{SUFFIXES[kind]}_{number:06}.hdf')
 
 
-def meshOfFile(path: str, cell: Optional[float]) -> Mesh:
+def exportedElse(make: Callable[[str, Optional[float]], Mesh], path: str, cell: Optional[float]) -> Mesh:
     exported = exportedMesh(path) if cell is None else None
-    return readPly(exported) if exported else makeMesh(path, cell)
+    return readPly(exported) if exported else make(path, cell)
 
 
 class Surface(Points):
@@ -39,10 +39,11 @@ class Surface(Points):
         cell: edge of the cubes of the mesh's grid, over the mean radius of the surfels. Without it, a mesh
         that `thaw export --as ply` has left in the run's folder export/ is read, else 1 is used.
 
-        The program thaw makes the mesh: that of THAW_PROGRAM, else that on PATH. Raises ProgramError if there
-        is none, or if it fails.
+        The compiled part of the package makes the mesh. Without it, and where THAW_PROGRAM is set, the
+        program thaw does: that of THAW_PROGRAM, else that on PATH. Raises ProgramError if there is none, or
+        if it fails.
         """
-        return meshOfFile(self.path, cell)
+        return exportedElse(surfaceMesh, self.path, cell)
 
 
 class Oriented(BodyPoints):
@@ -54,9 +55,10 @@ class Oriented(BodyPoints):
     def mesh(self) -> Mesh:
         """Triangles of surfaces and lines of curves, with the ids of the particles at their vertices.
 
-        As for `Surface.mesh`, an exported mesh is read, else the program thaw makes it.
+        As for `Surface.mesh`, an exported mesh is read. Else the program thaw makes it, that of THAW_PROGRAM
+        or on PATH.
         """
-        return meshOfFile(self.path, None)
+        return exportedElse(makeMesh, self.path, None)
 
 
 class Sheets(BodyPoints):

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Meaning of the fields of frames, by kind of points (docs/reference/files.md)."""
+"""Meaning of the fields of frames, by kind of points (docs/reference/files.md).
+
+Fields of extensions have theirs in the file.
+"""
 from __future__ import annotations
 
 from typing import Dict
@@ -18,6 +21,8 @@ MEANINGS: Dict[str, Dict[str, str]] = {
         'density': 'density; of a solid, from its deformation',
         'pressure': 'pressure of liquid',
         'volume': 'volume at rest',
+        'viscosity': 'viscosity at the current shear rate and temperature',
+        'absorbed': 'power absorbed from lamps, lasers and heated regions',
         'stress': 'Cauchy stress of solids, tension positive: xx, yy, zz, xy, yz, xz',
         'strain': 'Green strain from the first reference: xx, yy, zz, xy, yz, xz, shear not doubled',
         'plastic_strain': 'plastic strain: xx, yy, zz, xy, yz, xz, shear not doubled',

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Triangles of surfaces, from the frame itself or from files of `thaw export`."""
+"""Triangles of surfaces, from the compiled part, the program thaw, or files of `thaw export`."""
 from __future__ import annotations
 
 import dataclasses
@@ -11,6 +11,7 @@ from typing import BinaryIO, Dict, List, Optional, Tuple
 
 import numpy as np
 
+from ._load import core
 from .errors import FileError, ProgramError
 
 TYPES = {'char': 'i1', 'uchar': 'u1', 'short': 'i2', 'ushort': 'u2', 'int': 'i4', 'uint': 'u4'}
@@ -138,6 +139,20 @@ def findProgram(purpose: str = '') -> str:
         else 'triangles of this frame need the program thaw: put it on PATH, name it in THAW_PROGRAM, or run '
         '`thaw export RUN --as ply`, whose files are read'
     )
+
+
+def surfaceMesh(frame: str, cell: Optional[float]) -> Mesh:
+    """Meshes of a frame of surfels by the compiled part, where it is there and THAW_PROGRAM is not set."""
+    if os.environ.get('THAW_PROGRAM'):
+        return makeMesh(frame, cell)
+    try:
+        compiled = core()
+    except ImportError:
+        return makeMesh(frame, cell)
+    with tempfile.TemporaryDirectory(prefix='thaw_') as folder:
+        out = os.path.join(folder, 'mesh.ply')
+        compiled.write_surface_file(os.fspath(frame), out, 1.0 if cell is None else float(cell))
+        return readPly(out)
 
 
 def makeMesh(frame: str, cell: Optional[float]) -> Mesh:

@@ -46,7 +46,8 @@ def datasetOf(name: str) -> str:
 
 
 def fieldOf(data: h5py.Dataset, kind: str, name: str) -> Field:
-    return Field(textOf(data.attrs.get('units', '')), meaningOf(kind, name), data.shape, data.dtype)
+    unit, meaning = (textOf(data.attrs.get(key, '')) for key in ('units', 'meaning'))
+    return Field(unit, meaning or meaningOf(kind, name), data.shape, data.dtype)
 
 
 def readHead(hdf: HdfFile, kind: str) -> Head:

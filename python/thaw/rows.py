@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional
+import operator
+from typing import Any, Iterator, Optional
 
 import numpy as np
 
@@ -15,8 +16,9 @@ __all__ = ["LocalArray", "Rows"]
 class LocalArray(np.ndarray):
     """An array over the simulation's memory. Results of computations are ordinary arrays.
 
-    After its block any access raises RuntimeError. Plain arrays made of it, as by np.asarray, stay readable
-    and keep the values at the end of the block.
+    After its block any access raises RuntimeError, except for conversions that read the buffer itself:
+    np.asarray(a) and memoryview(a) give the values at the end of the block. Plain arrays made of it within
+    the block keep these values too.
     """
 
     _rows: Optional["Rows"] = None
@@ -26,9 +28,17 @@ class LocalArray(np.ndarray):
         if isinstance(self.base, LocalArray):
             self._rows = self.base._rows
 
-    def _plain(self) -> np.ndarray:
+    def __getattribute__(self, name: str) -> Any:
+        # Methods and attributes of numpy read the memory without a call of the functions below.
+        if not name.startswith("_") or name in _MEMORY:
+            self._check()
+        return super().__getattribute__(name)
+
+    def _check(self) -> None:
         if self._rows is not None and not self._rows._open:
             raise RuntimeError(ENDED.format("the array"))
+
+    def _plain(self) -> np.ndarray:
         return self.view(np.ndarray)
 
     def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **options: Any) -> Any:
@@ -59,15 +69,6 @@ class LocalArray(np.ndarray):
     def astype(self, *arguments: Any, **options: Any) -> np.ndarray:
         return self._plain().astype(*arguments, **options)
 
-    def tolist(self) -> list:
-        return self._plain().tolist()
-
-    def tobytes(self, order: Any = "C") -> bytes:
-        return self._plain().tobytes(order)
-
-    def item(self, *arguments: Any) -> Any:
-        return self._plain().item(*arguments)
-
     def __len__(self) -> int:
         return len(self._plain())
 
@@ -81,6 +82,41 @@ class LocalArray(np.ndarray):
     def __reduce__(self) -> Any:
         return self._plain().__reduce__()
 
+    # numpy's own comparison replaces an error by a warning and False.
+    def __eq__(self, other: Any) -> Any:
+        self._check()
+        return super().__eq__(other)
+
+    def __ne__(self, other: Any) -> Any:
+        self._check()
+        return super().__ne__(other)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __bool__(self) -> bool:
+        return bool(self._plain())
+
+    def __int__(self) -> int:
+        return int(self._plain())
+
+    def __float__(self) -> float:
+        return float(self._plain())
+
+    def __complex__(self) -> complex:
+        return complex(self._plain())
+
+    def __index__(self) -> int:
+        return operator.index(self._plain())
+
+    def __copy__(self) -> np.ndarray:
+        return self._plain().__copy__()
+
+    def __deepcopy__(self, memo: Any) -> np.ndarray:
+        return self._plain().__deepcopy__(memo)
+
+
+# attributes with an underscore that give access to the memory
+_MEMORY = ("__array__", "__array_interface__", "__array_struct__")
 
 ENDED = "{}: its block, or its call of a function, has ended; copy values in it, or use sim.gather()"
 
@@ -93,6 +129,7 @@ class Rows:
     """The rows of one table on this rank, in a block `with sim.local() as p`.
 
     Fields are arrays over the simulation's own memory, without a copy: `p["temperature"]` or `p.temperature`.
+    Iteration gives the names of the fields, and `len(p)` the number of rows.
     Outside of the block, access to the rows and to their arrays raises RuntimeError. Values of `velocity` and
     `temperature` of particles may be changed in place (`p.velocity += dv`); all other arrays are read-only.
     """
@@ -109,6 +146,8 @@ class Rows:
 
     def __getitem__(self, field: str) -> np.ndarray:
         self._need(f"'{field}'")
+        if not isinstance(field, str):
+            raise TypeError(f"expected the name of a field, such as p['velocity'], got {field!r}")
         if field in self._arrays:
             return self._arrays[field]
         try:
@@ -140,10 +179,15 @@ class Rows:
             raise AttributeError(error.args[0]) from None
 
     def __len__(self) -> int:
+        """Number of rows."""
         self._need("len()")
         return self._source.rows(self._table)
 
-    def __contains__(self, field: str) -> bool:
+    def __iter__(self) -> Iterator[str]:
+        """Names of the fields."""
+        return iter(self.fields())
+
+    def __contains__(self, field: object) -> bool:
         return field in self.fields()
 
     def fields(self) -> list[str]:

@@ -93,7 +93,7 @@ class Scene(metaclass=_Completed):
     def __init__(self, scene: Union[str, Mapping[str, Any], None] = None, name: str = "scene", **keys: Any):
         self.overrides: dict[str, Any] = {}
         if scene is None or isinstance(scene, Mapping):
-            self.name = name
+            self.name = name or "scene"
             self.keys: Optional[dict[str, Any]] = builderKeys({**(scene or {}), **keys})
         else:
             self.name = arguments.path("scene", scene)

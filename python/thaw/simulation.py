@@ -291,6 +291,7 @@ class Simulation:
     def ledger(self) -> dict[str, float]:
         """Energies (J), mass (kg), momentum (kg m/s), heat (J) and their residuals over all ranks, now.
 
+        All ranks read it, also where one of them prints it.
         Names are those of history, where vectors have the keys momentum_x, momentum_y, momentum_z.
         outside_work is wall_work: work of walls and of the program. entered_... and left_... are sums over
         particles that entered through openings and left through open sides.

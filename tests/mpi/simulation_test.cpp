@@ -243,6 +243,44 @@ TEST(Simulation, RefusesBadScenesWithTheirPlace) {
   EXPECT_THROW(Simulation({.scene = "absent.toml"}), SceneErrors);
 }
 
+TEST(Simulation, NamesTheForceOfTheProgramInAFailure) {
+  Simulation sim = simulationOf(water);
+  sim.addForce([](const OutsideLoad& load) {
+    for (std::size_t i = 0; i < load.particles.owned; i++) load.force[i].x = 1e30;
+  });
+  try {
+    sim.run();
+    FAIL();
+  } catch (const BlewUp& e) {
+    const std::string text = e.what();
+    EXPECT_NE(text.find(" N (outside 1e+30 N, "), std::string::npos) << text;
+    EXPECT_EQ(text.find("viscosity 1e+30"), std::string::npos) << text;
+  }
+}
+
+TEST(Simulation, NamesScenesWithoutAName) {
+  try {
+    Simulation::fromText("spacing = -1", {});
+    FAIL();
+  } catch (const SceneErrors& e) {
+    EXPECT_NE(std::string(e.what()).find("scene:1:11: error: spacing: must be > 0 m, got -1"),
+              std::string::npos)
+        << e.what();
+  }
+  Scene bad;
+  bad.spacing = -1;
+  try {
+    Simulation(bad, {});
+    FAIL();
+  } catch (const SceneErrors& e) { EXPECT_EQ(std::string(e.what()).rfind("scene: error: ", 0), 0u); }
+  int ranks = 0;
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() /
+                                       ("thaw_nameless_" + std::to_string(ranks));
+  Simulation sim = Simulation::fromText(water, {.out = folder, .force = true});
+  EXPECT_TRUE(std::filesystem::exists(folder / "frames" / "scene_000000.hdf"));
+}
+
 TEST(Simulation, KeepsTheOrderOfEdits) {
   Simulation sim = simulationOf(water);
   EXPECT_THROW(sim.endEdit(), std::logic_error);

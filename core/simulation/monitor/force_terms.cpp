@@ -34,6 +34,10 @@ ForceTerms forceTerms(World& w, StepTools& t, std::size_t i) {
     f.elastic = length(w.solids.force[p.slot[i]]);
     rest -= w.solids.force[p.slot[i]];
   }
+  if (p.outsideForce.active) {
+    f.outside = length(p.outsideForce[i]);
+    rest -= p.outsideForce[i];
+  }
   // Velocities at the force evaluation.
   for (std::size_t k = 0; k < p.owned; k++) p.velocity[k] -= p.acceleration[k] * (0.5 * dt);
   const auto take = [&](double& share, const Vec3d& part) {

@@ -8,9 +8,9 @@ namespace thaw {
 
 /// Magnitudes in N. pressure: of the surrounding liquid, with surface tension (both depend on positions
 /// alone); with the incompressible solver the prepared impulse over the step. viscosity: all resistance in
-/// the liquid. contact: of solids.
+/// the liquid. contact: of solids. outside: added by the program.
 struct ForceTerms {
-  double elastic = 0, pressure = 0, viscosity = 0, contact = 0, walls = 0, weight = 0;
+  double elastic = 0, pressure = 0, viscosity = 0, contact = 0, walls = 0, outside = 0, weight = 0;
   bool atWall = false;  ///< closer than one spacing
 };
 
