@@ -28,7 +28,7 @@ void ReceiveBuffer::sort() {  // insertion sort: few messages, no buffer
 namespace {
 
 /// Receives a probed chunk: the continuation of its sender's last message if that is in `open` (indices of
-/// the inbox), else a new message.
+/// the receive buffer), else a new message.
 void receiveChunk(const Communicator& comm, MPI_Message handle, const MPI_Status& status, ReceiveBuffer& in,
                   std::vector<std::size_t>& open) {
   int bytes = 0;

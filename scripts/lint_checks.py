@@ -26,12 +26,14 @@ from lint_files import (
 )
 from lint_includes import circles, upwardIncludes
 from lint_names import unknownMembers, unknownPapers, unknownTests, unstyledTests
-from lint_prose import longSentences, persons
+from lint_prose import longSentences, persons, retiredWords
 
 MOST_COLUMNS = 110
 MOST_FILES = 30
 MOST_LINES = 70
-WRAPPED = ('.toml', '.js', '.mjs', '.yml', '.def', '.cff')  # beside C++ and scripts
+# beside C++ and scripts
+WRAPPED = ('.toml', '.js', '.mjs', '.css', '.html', '.yml', '.yaml', '.def', '.cff', '.in', '.pyi')
+WRAPPED += ('Containerfile',)
 SOURCES = ('.cpp', '.hpp', '.py', '.sh')
 
 
@@ -49,6 +51,12 @@ def longLines(files):
         for number, line in enumerate(readLines(file), 1):
             if len(line) > MOST_COLUMNS and not re.search(r'https?://\S{60}', line):
                 yield file, number, None, f'{len(line)} columns, at most {MOST_COLUMNS} are allowed'
+
+
+def otherEndings(files):
+    for file in files:
+        if isCpp(file) and not file.endswith(('.cpp', '.hpp')):
+            yield file, 1, None, 'C++ files end in .cpp or .hpp'
 
 
 def mergeMarkers(files):
@@ -157,7 +165,28 @@ def wording(files):
                 yield file, number, file, 'a decimal without its leading zero'
 
 
-LINK = re.compile(r'\]\(([^()\s]+)(?: "[^"]*")?\)')
+LINK = re.compile(
+    r'\]\(<?([^()\s<>]+)>?(?: "[^"]*")?\)'  # [text](target)
+    r'|^ {0,3}\[[^\]]+\]: *<?([^\s<>]+)'  # [label]: target
+    r'|<[^>]*\b(?:src|href)="([^"]+)"'  # HTML
+)
+GALLERY = re.compile(r'docs/gallery/(\w+)\.html')  # pages that scripts/gallery makes from scenes
+LABEL = re.compile(r'^ {0,3}\[([^\]]+)\]:')
+LABELLED = re.compile(r'\[([^\[\]]+)\]\[([^\[\]]*)\]')
+# These pages are generated from benchmarks/*/text.md.
+PAGES = {
+    'benchmarks/accuracy/text.md': 'docs/validation/page.md',
+    'benchmarks/performance/text.md': 'docs/page.md',
+}
+
+
+def proseLines(file):
+    """Yields (line, text) of a Markdown file without code."""
+    fenced = False
+    for number, line in enumerate(readLines(file), 1):
+        fenced ^= line.lstrip().startswith('```')
+        if not fenced:
+            yield number, re.sub(r'`[^`]*`', '`', line)
 
 
 def deadLinks(files):
@@ -165,23 +194,32 @@ def deadLinks(files):
     folders = {str(parent) for file in files for parent in pathlib.PurePath(file).parents}
     anchors = {file: headings(readLines(file)) for file in files if file.endswith('.md')}
     for file in anchors:
-        fenced = False
-        for number, line in enumerate(readLines(file), 1):
-            fenced ^= line.lstrip().startswith('```')
-            for target in [] if fenced else LINK.findall(re.sub(r'`[^`]*`', '', line)):
+        for number, line in proseLines(file):
+            for target in (next(filter(None, found)) for found in LINK.findall(line)):
                 if re.match(r'[a-z]+:', target):
                     continue
                 path, _, anchor = target.partition('#')
-                # these pages are generated from benchmarks/*/text.md
-                base = {
-                    'benchmarks/accuracy/text.md': 'docs/validation/page.md',
-                    'benchmarks/performance/text.md': 'docs/page.md',
-                }.get(file, file)
-                there = relative(base, path) if path else file
+                there = relative(PAGES.get(file, file), path) if path else file
+                page = GALLERY.fullmatch(there)
+                if page and any(
+                    name.startswith('scenes/') and name.endswith(f'/{page[1]}.toml') for name in listed
+                ):
+                    continue
                 if there not in listed and there not in folders:
                     yield file, number, None, f'dead link: there is no {there}'
                 elif anchor and there in anchors and anchor not in anchors[there]:
                     yield file, number, None, f'dead link: {there} has no heading #{anchor}'
+
+
+def unknownLabels(files):
+    """Links `[text][label]` without a definition of their label."""
+    for file in (file for file in files if file.endswith('.md')):
+        lines = list(proseLines(file))
+        labels = {label[1].lower() for label in (LABEL.match(line) for _, line in lines) if label}
+        for number, line in lines:
+            for text, label in LABELLED.findall(re.sub(r'\$[^$]*\$', '', line)):
+                if (label or text).lower() not in labels:
+                    yield file, number, None, f'dead link: nothing defines [{label or text}]'
 
 
 def relative(file, path):
@@ -273,6 +311,7 @@ CHECKS = {
     'licence': (withoutLicence, f'Files without an SPDX line: their count. {SHRINKS}'),
     'merge_markers': (mergeMarkers, None),
     'long_lines': (longLines, None),
+    'endings': (otherEndings, None),
     'includes': (
         upwardIncludes,
         f'Includes against core/include_order.txt: count, file and include. {SHRINKS}',
@@ -290,7 +329,9 @@ CHECKS = {
     ),
     'sentences': (longSentences, None),
     'persons': (persons, None),
+    'words': (retiredWords, None),
     'links': (deadLinks, None),
+    'labels': (unknownLabels, None),
     'papers': (unknownPapers, None),
     'members': (unknownMembers, None),
     'tests': (unknownTests, None),

@@ -31,7 +31,8 @@ def trackedFiles():
 
 
 def isCpp(file):
-    return file.endswith(('.cpp', '.hpp'))
+    """True for C++ by any usual ending. The tree uses .cpp and .hpp only, which lint_checks.py demands."""
+    return file.endswith(('.cpp', '.hpp', '.c', '.cc', '.cxx', '.h', '.hh', '.hxx', '.inl', '.ipp'))
 
 
 @functools.lru_cache(None)
@@ -69,6 +70,14 @@ TOKENS = re.compile(
 def withoutComments(text):
     """C++ text with comments and string contents blanked; line breaks are kept."""
     return TOKENS.sub(lambda token: re.sub(r'[^\n]', ' ', token[0]), text)
+
+
+def cppTexts(file):
+    """Yields (line, text) of string literals of several words."""
+    text = '\n'.join(readLines(file))
+    for token in TOKENS.finditer(text):
+        if token[0][0] in 'R"' and ' ' in token[0]:
+            yield text.count('\n', 0, token.start()) + 1, token[0]
 
 
 def cppComments(file):

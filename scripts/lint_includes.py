@@ -9,6 +9,8 @@ import re
 from lint_files import ROOT, isCpp, readLines
 
 ORDER = 'core/include_order.txt'
+INCLUDE = re.compile(r'\s*#\s*(?:include|import)\s*(["<])([^">]+)[">]')
+OWN = ('core/', 'parallel/', 'io/', 'python/', 'examples/', 'benchmarks/', 'tests/')
 
 
 def levels():
@@ -25,9 +27,9 @@ def includes(files):
     """Yields (file, line, included file) of all includes of the tree."""
     for file in filter(isCpp, files):
         for number, line in enumerate(readLines(file), 1):
-            include = re.match(r'\s*#include "([^"]+)"', line)
-            if include:
-                yield file, number, include[1]
+            include = INCLUDE.match(line)
+            if include and (include[1] == '"' or include[2].startswith(OWN)):
+                yield file, number, include[2]
 
 
 def upwardIncludes(files):

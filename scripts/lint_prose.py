@@ -2,11 +2,55 @@
 """Checks of prose for lint_checks.py: long sentences in the manual, and words that make persons of code."""
 import re
 
-from lint_files import comments, readLines
+from lint_files import comments, cppTexts, isCpp, readLines, withoutComments
 
 MOST_WORDS = 30  # in a sentence of the manual
 GENERATED = ('docs/scene.md', 'docs/bibliography.md')
-PERSONS = re.compile(r'\b(told|tells|tell|is asked|are asked|asks|does not know|do not know)\b', re.I)
+TEMPLATES = ('benchmarks/accuracy/text.md', 'benchmarks/performance/text.md')  # their tags look like words
+PERSONS = re.compile(
+    r'\b(told|tells?|wants?|is asked|are asked|asks|knows|do(es)? not know'
+    r'|nobody|somebody|anybody|everyone|whom)\b',
+    re.I,
+)
+# Words of texts, parts of names, and their successors in the glossary.
+RETIRED = (
+    (r'book(s|ed|ing)?|bookkeeping', None, 'record, energy budget or ledger'),
+    (r'(bring|send|go)s? home|(brought|sent) home', r'(bring|send)\w*Home\b', 'redistribute'),
+    (r'ballots?|votes?', 'Ballot', 'time-step reduction'),
+    (r'(?<!-)fillings?', r'(?<![Bb]y)Filling', 'relative density'),
+    (r'crowding', None, 'concentration gradient, or surplus particles'),
+    (r'draping', 'meetContinuum', 'coupling or contact'),
+    (r'steadying', 'pressureKick', 'divergence pressure, pressure impulse'),
+    (None, 'surfaceCover|surfacePull|surfaceDraw', 'color and the derivatives of its energy'),
+    (r'relink(s|ed|ing)?', 'relink[A-Z]', 'rebuild bonds'),
+    (r'bared', 'coverBare|listBare', 'exposed'),
+    (r'rags?|fins|specks?|twins|lumps|crumbs?', None, 'detached surfels, spurs, isolated colours, fragments'),
+    (r'leap(s|t|ed)?(?!-frog)', None, 'project to the iso-surface'),
+    (r'calm(s|ed|er)?', None, 'at rest, rest time'),
+    (r'champions?', 'Champion', 'local maximum'),
+    (None, r'keepOut\b|keepEnclosed', 'projectOutOfObstacles, attachEnclosed'),
+    (
+        None,
+        r'(?i:near_?gaps|gap_?ceilings?|film_?room|open_?region|mixed_?bins)',
+        'gap detection, active set, ...',
+    ),
+    (r'standoffs?', None, 'contact offset'),
+    (None, 'homeTurn', 'rest orientation'),
+    (None, 'workingLoad|underWay', 'impulse in flight'),
+    (r'alarms?|good states?|patience', 'goodState', 'failure, snapshot, rollback, backoff'),
+    (r'sunken', None, 'interpenetration'),
+    (None, 'takeStock', 'initializeForces'),
+    (
+        r'misfits?',
+        '[lL]etGo|giveUnderWay|closeLeavers|noteHolds|noteIdle|sayRelaxed',
+        'validate, remove, record, ...',
+    ),
+    (r'inbox', 'RowCourier|WordList|Inbox', 'scatter back, byte stream, receive buffer'),
+    (r'grips?', None, 'strain bound, or largest rate of friction'),
+    (r'newcomers?|judges?|excellent|missed by|that paid', None, 'a property, without praise and readers'),
+)
+PARTS = ('|'.join(filter(None, (words and rf'(?i:\b(?:{words})\b)', names))) for words, names, _ in RETIRED)
+WORDS = re.compile('|'.join(f'(?P<w{k}>{part})' for k, part in enumerate(PARTS)))
 ITEM = re.compile(r'^\s*(?:[-*]|\d+\.)\s+')
 OTHER = ('#', '|', '<', '[')  # headings, tables, HTML, definitions of links
 
@@ -37,7 +81,7 @@ def sentences(text):
 
 def longSentences(files):
     for file in files:
-        if not (file.startswith('docs/') and file.endswith('.md')) or file in GENERATED:
+        if not file.endswith('.md') or file in GENERATED + TEMPLATES:
             continue
         for number, text in paragraphs(readLines(file)):
             for sentence in sentences(text):
@@ -59,3 +103,19 @@ def persons(files):
             found = PERSONS.search(re.sub(r'`[^`]*`|"[^"]*"', '', text))
             if found:
                 yield file, number, None, f'"{found[0]}" makes a person of the code: name what happens'
+
+
+def retiredWords(files):
+    """Words that have a successor in docs/developer/glossary.md, in texts, messages and names of C++."""
+    for file in files:
+        if file in GENERATED or file.startswith(('scripts/lint', 'tests/lint/')):
+            continue
+        texts = [c[:2] for c in comments(file)]
+        if isCpp(file):
+            texts += cppTexts(file)
+            texts += enumerate(withoutComments('\n'.join(readLines(file))).split('\n'), 1)
+        for number, text in texts:
+            found = WORDS.search(re.sub(r'`[^`]*`', '', text))
+            if found:
+                instead = RETIRED[int(found.lastgroup[1:])][2]
+                yield file, number, None, f'"{found[0]}" is retired: {instead} (docs/developer/glossary.md)'

@@ -22,9 +22,11 @@ AT_ONCE = 2
 MOST_TOGETHER = 12  # sources of a group
 MOST_CHANGED = 16  # limit of changed sources: three minutes on two cores
 CLANG_TIDY = os.environ.get('CLANG_TIDY', 'clang-tidy-14')
+# The configuration is named, since sources of groups are outside of the tree.
+CONFIGURED = (f'--config-file={ROOT}/.clang-tidy', '--quiet', '--warnings-as-errors=*')
 # Options of g++ only, and headers that only g++ reads.
 FOREIGN = re.compile(
-    r'-Winvalid-pch|-fpch-preprocess|-Werror|-m(move|store)-max=\S+'
+    r'-Winvalid-pch|-fpch-preprocess|-Werror|-m(move-max|store-max|memset-strategy|memcpy-strategy)=\S+'
     r'|-Wno-(maybe-uninitialized|restrict|psabi)'
 )
 
@@ -100,7 +102,7 @@ def sourcesOf(files, sources):
 
 def tidy(folder, source, *options):
     done = subprocess.run(
-        [CLANG_TIDY, '-p', folder, '--quiet', '--warnings-as-errors=*', *options, str(ROOT / source)],
+        [CLANG_TIDY, '-p', folder, *CONFIGURED, *options, str(ROOT / source)],
         capture_output=True,
         text=True,
     )

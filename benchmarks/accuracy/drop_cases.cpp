@@ -125,8 +125,8 @@ Within pressureWithin(Trial& r, double radius) {
                                                    : 0;
   });
   Within in{};
-  in.mismatch = rootMeanSquare(r,
-                               [&](const World&, std::size_t i) { return length(forceOf(w, i) - force[i]); });
+  in.mismatch = rootMeanSquare(
+      r, [&](const World&, std::size_t i) { return length(forceOf(w.particles, w.scene, i) - force[i]); });
   in.pairs = (sum(r, [&](const World&, std::size_t i) { return virial[i]; }) + moving) / (3 * volume);
   in.all = in.pairs + sum(r, [&](const World&, std::size_t i) { return surface[i]; }) / (3 * volume);
   return in;
@@ -176,7 +176,7 @@ std::vector<Figure> measureLaplace(Trial& r) {
           {"radius", std::abs(gyration / R - 1), 0.01},
           {"radius / exact", gyration / R},
           {"extent / R", (extent + 0.5 * w.scene.spacing) / R},
-          {"filling inside", relativeDensity},
+          {"relative density inside", relativeDensity},
           {"speed / sqrt(sigma/(rho R))", speed / std::sqrt(sigma / (w.scene.materials[0].density * R))},
           {"mismatch of forces", in.mismatch / (sigma * w.scene.spacing)}};
 }

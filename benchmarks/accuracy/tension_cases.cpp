@@ -85,8 +85,7 @@ Angles anglesOf(Trial& r) {
   return {angleOfHeight(centre.z / std::cbrt(volume)) / degree, angleOfCircle(r, centre) / degree};
 }
 
-constexpr double still = 0.4, calm = 0.8;  // ends of the first rest and of the shaking, of the time of the
-                                           // run
+constexpr double restEnd = 0.4, shakingEnd = 0.8;  // fractions of the time of the run
 
 /// Adds a random velocity to each particle; the mean velocity is removed. The strength falls to 0 from a rate
 /// of energy of a particle's surface energy per capillary time.
@@ -94,7 +93,8 @@ void shake(Trial& r) {
   World& w = r.world;
   Continuum& p = w.particles;
   const Material& m = w.scene.materials[0];
-  const double dx = w.scene.spacing, left = (calm - w.clock.time / w.clock.end) / (calm - still),
+  const double dx = w.scene.spacing,
+               left = (shakingEnd - w.clock.time / w.clock.end) / (shakingEnd - restEnd),
                capillary = std::sqrt(m.density * dx * dx * dx / m.surfaceTension),
                kick = 4 * left * dx / capillary * std::sqrt(w.clock.stepDt / capillary);
   for (int a = 0; a < 3; a++) {
@@ -112,14 +112,14 @@ void shake(Trial& r) {
 /// like a soft solid, and the drop stops short of its angle, as on a rough wall (DG96).
 void watchDrop(Trial& r) {
   const Clock& c = r.world.clock;
-  if (c.time < still * c.end) return;
+  if (c.time < restEnd * c.end) return;
   if (!r.notes.contains("angle")) {
     const LedgerReport ledger = reportLedger(r.world, r.tools, r.all);
     r.notes["angle"] = anglesOf(r).byHeight;
     r.notes["residual"] = ledger.energyResidual;
   }
   const bool arrested = r.world.scene.numerics.tension == TensionForm::SurfaceEnergy;
-  if (arrested && c.time < calm * c.end) shake(r);
+  if (arrested && c.time < shakingEnd * c.end) shake(r);
 }
 
 std::vector<Figure> measureAngle(Trial& r) {

@@ -15,7 +15,7 @@ namespace {
 struct BodySums {
   double phi = 0, rate = 0;                 ///< 1, 1/s: sum of w, and its rate
   double stiffness = 0, stiffnessRate = 0;  ///< N/m, N/(m s): sum of w k, and its rate
-  double dashpot = 0, grip = 0;             ///< kg/s, sums of w times both
+  double dashpot = 0, frictionRate = 0;     ///< kg/s, sums of w times both
   double friction = 0;                      ///< 1, sum of w mu
   double steepness = 0;                     ///< 1/m, sum of g
   Vec3d away{};                             ///< 1/m, sum of g times the direction from the other particle
@@ -76,7 +76,7 @@ BodySums sumsOf(const BodyContactView& v, std::span<const ClosePair> pairs, cons
     s.phi += w;
     s.stiffness += w * c.stiffness;
     s.dashpot += w * c.dashpot;
-    s.grip += w * c.grip;
+    s.frictionRate += w * c.frictionRate;
     s.friction += w * c.friction;
     if (!(r > 0)) continue;  // no direction: separateCoincident moves them
     const Vec3d u = p.velocity[pair.own] - p.velocity[pair.other];
@@ -124,7 +124,7 @@ Friction frictionOf(const BodySums& s, const Press& press, const Vec3d& old, dou
   const double k = shearStiffness(s);
   const Vec3d u = s.motion / s.steepness;
   if (press.energy > 0 && bound > 0)
-    f.force = springFriction({k, 0.25 * s.grip / s.phi, bound}, s.away / away, old + u * dt, u);
+    f.force = springFriction({k, 0.25 * s.frictionRate / s.phi, bound}, s.away / away, old + u * dt, u);
   const Vec3d& shear = f.force.shear;
   f.energy = 0.5 * k * dot(shear, shear);
   f.lost = -dot(f.force.dashpot, u);
@@ -220,7 +220,7 @@ void findTouch(const BodyContactView& v, const ContactKernel& kernel, BodyTouch&
   p.bodyContact[i] = contactData(sums, press, friction);
 }
 
-bool isPressed(const Mat3f& data) { return data.row[0].y > 0; }
+bool hasContactForce(const Mat3f& data) { return data.row[0].y > 0; }
 
 /// Sum (1) of the same factor of both particles, in double precision.
 double sumOf(float a, float b) { return static_cast<double>(a) + static_cast<double>(b); }
@@ -286,14 +286,14 @@ void addBodyContacts(const BodyContactView& v, std::span<const std::uint8_t> ski
   v.work.resistance.clear();
   for (BodyTouch& touch : v.work.rows) {
     const std::uint32_t i = touch.row;
-    touch.pressed = isPressed(p.bodyContact[i]);
+    touch.inContact = hasContactForce(p.bodyContact[i]);
     Vec3d force{}, resistance{};
     double lost = touch.lost;
     for (const ClosePair& pair : pairsOf(v.work, touch)) {
       const std::uint32_t j = pair.other;
       const Mat3f &own = p.bodyContact[i], &other = p.bodyContact[j];
-      if (!isPressed(own) && !isPressed(other)) continue;
-      touch.pressed = true;
+      if (!hasContactForce(own) && !hasContactForce(other)) continue;
+      touch.inContact = true;
       const Vec3d d = exactDifference(v.grid, p.position[i], p.position[j]);
       const double r = length(d);
       if (!(r > 0)) continue;
@@ -308,7 +308,7 @@ void addBodyContacts(const BodyContactView& v, std::span<const std::uint8_t> ski
       resistance += dissipative;
       lost -= 0.5 * dot(n, u) * g * sumOf(own.row[0].z, other.row[0].z);
     }
-    if ((!touch.pressed && lost == 0) || (!skipped.empty() && skipped[i])) continue;
+    if ((!touch.inContact && lost == 0) || (!skipped.empty() && skipped[i])) continue;
     p.interaction[i] += touch.energy + touch.sheared;
     p.force[i] += force + resistance;
     p.dissipation[i] += lost;
@@ -318,7 +318,7 @@ void addBodyContacts(const BodyContactView& v, std::span<const std::uint8_t> ski
 
 bool changesStiffness(const BodyContactWork& work, const Continuum& p) {
   return std::any_of(work.rows.begin(), work.rows.end(), [&](const BodyTouch& touch) {
-    return touch.pressed &&
+    return touch.inContact &&
            (p.phase[touch.row] != Solid || (p.liquid.active && p.liquid[touch.row] != touch.liquid));
   });
 }

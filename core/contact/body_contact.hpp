@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contact of solids of different bodies. Each solid particle has a sum over the particles of other bodies,
-// weighted with a kernel that is wide enough to smooth their lattice. It is pressed where the sum exceeds the
-// one at a spacing from a flat surface:
+// weighted with a kernel that is wide enough to smooth their lattice. It is in contact where the sum exceeds
+// the one at a spacing from a flat surface:
 //
 //   phi_i = sum_j s_i s_j w(r_ij),   E_i = 1/2 c k_i (phi_i - phi_0)^2,   k_i = sum_j s_i s_j w k_ij / phi_i
 //
@@ -69,7 +69,7 @@ struct BodyTouch {
   double shearStiffness = 0;    ///< N/m, of its friction spring
   Vec3d motion{};               ///< m/s, relative to the other bodies
   float liquid = 0;             ///< liquid fraction
-  bool pressed = false;         ///< it or one of its neighbours has a contact force
+  bool inContact = false;       ///< it or one of its neighbours has a contact force
   bool soon = false;            ///< it touches, or will do so within two steps
 };
 

@@ -37,7 +37,7 @@ ContactPair contactPair(const Scene& s, const Continuum& p, std::uint32_t i, std
   // dashpots would add energy.
   const double most = 0.2 * mass / step, scale = std::sqrt(c.stiffness * mass);
   c.dashpot = std::min(2 * dashpotRatio(c.restitution) * scale, most);
-  c.grip = std::min(scale, most);
+  c.frictionRate = std::min(scale, most);
   return c;
 }
 

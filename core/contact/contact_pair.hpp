@@ -18,11 +18,11 @@ struct DissipativeForce {
 };
 
 struct ContactPair {
-  double stiffness;    ///< N/m, harmonic mean of both E * spacing
-  double restitution;  ///< 1, the smaller one
-  double friction;     ///< 1, the smaller one
-  double dashpot;      ///< kg/s
-  double grip;         ///< kg/s, largest rate of friction: it stops sliding without reversing it
+  double stiffness;     ///< N/m, harmonic mean of both E * spacing
+  double restitution;   ///< 1, the smaller one
+  double friction;      ///< 1, the smaller one
+  double dashpot;       ///< kg/s
+  double frictionRate;  ///< kg/s, largest rate of friction: it stops sliding without reversing it
 };
 
 /// step (s): dashpots and friction remove at most a fifth of a pair's velocity in it.

@@ -43,7 +43,7 @@ void addSolidContacts(const ContactContext& x, const ClosePairs& pairs, Continuu
     const double dash = std::max(-c.dashpot * un, -spring);  // a contact never pulls
     const Vec3d tangential = u - n * un;
     const double slip = length(tangential), normalForce = spring + dash;
-    const double rub = slip > 0 ? std::min(c.friction * normalForce, c.grip * slip) : 0;
+    const double rub = slip > 0 ? std::min(c.friction * normalForce, c.frictionRate * slip) : 0;
     Vec3d dissipativeForce = n * dash;
     if (slip > 0) dissipativeForce -= tangential * (rub / slip);
     p.force[i] += n * spring + dissipativeForce;

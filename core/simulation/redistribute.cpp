@@ -158,20 +158,21 @@ Migration migrateParticles(World& w, Halos& halos, StepTools& t, bool moves) {
 }
 
 /// Returns the columns that the step recomputes before they are read.
-ColumnList staleColumns(World& w, double dt) {
+ColumnList staleColumns(const Modules& modules, Continuum& particles, double dt) {
   ColumnList stale{};
   // Both contacts read the last acceleration.
-  if (dt > 0 && !w.modules.sheet && !w.modules.orientedContact) stale.push_back(&w.particles.acceleration);
-  if (!w.modules.sleep) stale.push_back(&w.particles.interaction);
+  if (dt > 0 && !modules.sheet && !modules.orientedContact) stale.push_back(&particles.acceleration);
+  if (!modules.sleep) stale.push_back(&particles.interaction);
   return stale;
 }
 
 /// Frees buffers sized for the old partition.
-void freeOldBuffers(World& w, StepTools& t) {
-  w.particles.shrink(1.0 / 64);
-  w.neighbours = {};
-  t.records = {};
-  t.sort = {};
+void freeOldBuffers(Continuum& particles, NeighbourLists& neighbours, PairRecords& records,
+                    SortBuffers& sort) {
+  particles.shrink(1.0 / 64);
+  neighbours = {};
+  records = {};
+  sort = {};
 }
 
 }  // namespace
@@ -203,9 +204,9 @@ bool redistribute(World& w, Halos halos, StepTools& t, double dt) {
   const bool leftSlots = takeLeaving(w, halos, t, dt);
   Migration m = migrateParticles(w, halos, t, moves);
   m.arrivals += emitted;
-  if (ordered) sortByCell(p, m, t.sort, w.cells, staleColumns(w, dt));
+  if (ordered) sortByCell(p, m, t.sort, w.cells, staleColumns(w.modules, w.particles, dt));
   else if (m.arrivals > 0 || !m.departed.empty()) closeGaps(p, m);
-  if (partitioned) freeOldBuffers(w, t);
+  if (partitioned) freeOldBuffers(p, w.neighbours, t.records, t.sort);
   t.times.lap(StepPhase::Sort);
   return leftSlots;
 }

@@ -16,8 +16,9 @@ void reductionHere(StepContext& c, const StepOutcome& here, Requests wanted) {
   StepTools& t = c.t;
   StepLimits& own = c.limits;
   own = particleLimits(w, here.largest ? *here.largest : largestRates(w.particles), t.stableViscousStep);
-  own[Limit::Sound] = t.fixedLimits[Limit::Sound] / soundStiffening(w);  // the minimum over ranks belongs to
-                                                                         // the most compressed particle
+  // the minimum over ranks belongs to
+  own[Limit::Sound] = t.fixedLimits[Limit::Sound] / soundStiffening(w.scene, w.modules, w.particles);
+  // the most compressed particle
   // Wall contacts are stiffer than the lattice behind cfl_sound. Here omega dt is at most 1.2; 2 is stable.
   if (t.wallContacts.stiffest > 0)
     own[Limit::Contact] = 3 * w.scene.numerics.cflSound / t.wallContacts.stiffest;
@@ -48,18 +49,17 @@ void limitsOfAll(StepContext& c) {
 }
 
 /// Sets the next step in the clock.
-void setNextStep(World& w, StepLimits limits, Limit limitedBy) {
-  w.watch.factor = nextFactor(w.watch);  // 1, or less after a rollback
-  const double fixed = w.scene.numerics.fixedStep, factor = w.watch.factor;
+void setNextStep(MonitorState& watch, const Scene& scene, Clock& clock, StepLimits limits, Limit limitedBy) {
+  watch.factor = nextFactor(watch);  // 1, or less after a rollback
+  const double fixed = scene.numerics.fixedStep, factor = watch.factor;
   // Without a limit frames shorten the step; after a rollback it is a fraction of that.
   const bool limited = limits[limitedBy] < never;
-  const double limit = limited || factor == 1 ? limits[limitedBy] : longestUnlimitedStep(w.clock);
+  const double limit = limited || factor == 1 ? limits[limitedBy] : longestUnlimitedStep(clock);
   // The step grows by at most a tenth: fluctuating leap-frog steps pump energy into fast oscillations.
-  w.clock.dt = fixed > 0 ? factor * fixed
-                         : std::min(factor * limit, w.clock.step > 0 ? 1.1 * w.clock.dt : never);
-  w.clock.limitedBy = fixed > 0 ? "the scene's fixed step"
-                      : limited ? limitNames[static_cast<std::size_t>(limitedBy)]
-                                : "frames";
+  clock.dt = fixed > 0 ? factor * fixed : std::min(factor * limit, clock.step > 0 ? 1.1 * clock.dt : never);
+  clock.limitedBy = fixed > 0 ? "the scene's fixed step"
+                    : limited ? limitNames[static_cast<std::size_t>(limitedBy)]
+                              : "frames";
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ StepOutcome reduceStep(StepContext& c, StepOutcome here, Requests wanted) {
   all.surfaceMove2 = reduction.surfaceMove2;
   all.failure = all.finite ? failureOf(w, t.watch, c.commonLimits, reduction.relativeDensity)
                            : Failure::NotFinite;
-  setNextStep(w, c.commonLimits, all.limitedBy);
+  setNextStep(w.watch, w.scene, w.clock, c.commonLimits, all.limitedBy);
   runPhase(ModulePhase::NextStep, c);
   return all;
 }

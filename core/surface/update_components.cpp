@@ -35,7 +35,7 @@ void measureAll(Surface& s, SurfaceHalos halos, TopologyTools& t, bool again = f
 }
 
 /// Offsets surfels until the volumes agree, at most four times.
-void keepVolume(const SurfaceView& w, SurfaceHalos halos, TopologyTools& t, bool start) {
+void enforceVolume(const SurfaceView& w, SurfaceHalos halos, TopologyTools& t, bool start) {
   Surface& s = w.surface;
   std::vector<VolumeMove> moves;
   for (int k = 0; k < 4 && volumesDeviate(s, start); k++) {
@@ -117,7 +117,7 @@ void measureSurface(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& tool
   addSurfelGhosts(s, halos);
   placeParticles(w.surface, halos, tools);
   measureAll(s, halos, t);
-  if (w.scene.surface.keepVolume > 0 && s.lastStep >= 0) keepVolume(w, halos, t, start);
+  if (w.scene.surface.keepVolume > 0 && s.lastStep >= 0) enforceVolume(w, halos, t, start);
   dropGhosts(s.surfels, s.surfelCells);
 }
 

@@ -129,12 +129,12 @@ void updateSurface(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t) {
     resampleOnParticles(w, halos, t, 24);
   t.times.lap(SurfacePhase::Resampling);
   listIsoOffsets(w.scene, w.surface, t.relax.isoOffset);
-  const RelaxationResult settled = relaxSurfels(w, halos, t, forceWeights(w.scene.surface),
+  const RelaxationResult relaxed = relaxSurfels(w, halos, t, forceWeights(w.scene.surface),
                                                 w.scene.surface.iterations, false);
   dropReferences(s.surfels);
   deactivate(s.surfels.relaxesOnce);
-  s.counters.iterations += settled.iterations;
-  s.counters.unfinished += !settled.finished;
+  s.counters.iterations += relaxed.iterations;
+  s.counters.unfinished += !relaxed.finished;
   blendSurfels(s.surfels);
   t.times.lap(SurfacePhase::Iterations);
   resampleOnParticles(w, halos, t, 8);

@@ -21,18 +21,18 @@ struct SolidOrder {
   std::vector<std::uint64_t> firstBond;  // first bond of each solid on this rank; one more at the end
 };
 
-SolidOrder orderSolids(const World& w, std::uint64_t firstRow) {
+SolidOrder orderSolids(const Continuum& particles, const Bonds& bonds, std::uint64_t firstRow) {
   SolidOrder o;
-  std::uint64_t bonds = 0;
-  for (std::size_t i = 0; w.particles.slot.active && i < w.particles.owned; i++) {
-    const std::uint32_t slot = w.particles.slot[i];
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; particles.slot.active && i < particles.owned; i++) {
+    const std::uint32_t slot = particles.slot[i];
     if (slot == noSlot) continue;
     o.slots.push_back(slot);
     o.particle.push_back(firstRow + i);
-    o.firstBond.push_back(bonds);
-    for (int k = 0; k < w.bonds.capacity; k++) bonds += w.bonds.hasBond(slot, k);
+    o.firstBond.push_back(count);
+    for (int k = 0; k < bonds.capacity; k++) count += bonds.hasBond(slot, k);
   }
-  o.firstBond.push_back(bonds);
+  o.firstBond.push_back(count);
   return o;
 }
 
@@ -78,8 +78,8 @@ void addColumns(ParallelFileContent& content, const std::string& group, const Ta
   }
 }
 
-void addBonds(ParallelFileContent& content, const World& w, const SolidOrder& order, const Spread& spread) {
-  const Bonds& b = w.bonds;
+void addBonds(ParallelFileContent& content, const Bonds& b, const Solids& solids, const SolidOrder& order,
+              const Spread& spread) {
   content.groups.push_back("/bonds");
   const auto add = [&](const std::string& name, const std::string& unit, Element element, int components,
                        auto put) {
@@ -101,7 +101,7 @@ void addBonds(ParallelFileContent& content, const World& w, const SolidOrder& or
     };
   };
   add("neighbour", "1", Element::U64, 0,
-      [&](std::size_t place, std::byte* to) { std::memcpy(to, &w.solids.id[b.neighbour[place]], 8); });
+      [&](std::size_t place, std::byte* to) { std::memcpy(to, &solids.id[b.neighbour[place]], 8); });
   if (!b.vectors) return;  // the rest follows from /solids/reference
   add("reference", "m", Element::F64, 3, vector(b.x, b.y, b.z));
   add("reverse", "m", Element::F64, 3, vector(b.rx, b.ry, b.rz));
@@ -171,7 +171,7 @@ void writeState(const std::string& path, std::int64_t sequence, MPI_Comm comm, c
   h.sequence = sequence;
   h.surface = surfaceRecordOf(w.surface);
   const Spread particles = spreadRows(comm, w.particles.owned);
-  const SolidOrder order = orderSolids(w, particles.mine.first);
+  const SolidOrder order = orderSolids(w.particles, w.bonds, particles.mine.first);
   const Spread solids = spreadRows(comm, order.slots.size()),
                bonds = spreadRows(comm, order.firstBond.back());
   ParallelFileContent content;
@@ -179,7 +179,7 @@ void writeState(const std::string& path, std::int64_t sequence, MPI_Comm comm, c
   content.groups = {"/checkpoint", "/run", "/order"};
   addColumns(content, "/particles", w.particles, packed, particles, nullptr);
   addColumns(content, "/solids", w.solids, nullptr, solids, &order);
-  addBonds(content, w, order, bonds);
+  addBonds(content, w.bonds, w.solids, order, bonds);
   Pieces pieces;
   copyLedRows(w.pieces, pieces);
   if (pieces.id.active)

@@ -39,24 +39,25 @@ namespace thaw {
 namespace {
 
 /// Adds the counts of oriented bodies and sheets. Collective.
-void countBodyTypes(const World& w, Reducer& all, CheckReport& r) {
+void countBodyTypes(const OrientedBodies& oriented, const Scene& scene, const SheetBodies& sheets,
+                    Reducer& all, CheckReport& r) {
   const auto count = [&](const BodyTypeRows& rows, const auto& bodies, auto& to) {
     std::vector<std::int64_t> of(bodies.size(), 0);
     for (std::size_t i = 0; i < rows.owned && !of.empty(); i++) of[rows.body[i]]++;
     all.sum(of);
     for (std::size_t b = 0; b < of.size(); b++) to.emplace_back(bodies[b].name, of[b]);
   };
-  count(w.oriented.rows, w.scene.oriented, r.oriented);
-  count(w.sheets.rows, w.scene.sheets, r.sheets);
+  count(oriented.rows, scene.oriented, r.oriented);
+  count(sheets.rows, scene.sheets, r.sheets);
 }
 
 constexpr std::size_t mostVolumes = 100;  // computing the volume of a shape takes time
 
 /// Density (kg/m^3) of a body of one temperature.
-double startDensity(const World& w, const Body& b) {
-  const Material& m = w.scene.materials[static_cast<std::size_t>(b.material)];
-  const bool solid = w.modules.heat && m.melts() ? thermalOf(m, enthalpyOf(m, b.temperature)).liquid < 1
-                                                 : solidAtStart(w.scene, b);
+double startDensity(const Scene& scene, const Modules& modules, const Body& b) {
+  const Material& m = scene.materials[static_cast<std::size_t>(b.material)];
+  const bool solid = modules.heat && m.melts() ? thermalOf(m, enthalpyOf(m, b.temperature)).liquid < 1
+                                               : solidAtStart(scene, b);
   return solid ? solidDensityOf(m) : m.density;
 }
 
@@ -68,7 +69,7 @@ void countBodies(const World& w, const SamplingReport& sampled, Reducer& all, Ch
   const std::vector<double> volumes = shapeVolumes(shapes, meshLoader(), all);
   for (std::size_t b = 0; b < bodies.size(); b++) {
     const Material& m = w.scene.materials[static_cast<std::size_t>(bodies[b].material)];
-    const double density = startDensity(w, bodies[b]);
+    const double density = startDensity(w.scene, w.modules, bodies[b]);
     CheckedBody body{bodies[b].name, m.name, sampled.particles[b], 0,
                      density * std::pow(w.scene.spacing, 3) * static_cast<double>(sampled.particles[b])};
     body.hasClamps = !bodies[b].clamp.empty();
@@ -201,11 +202,12 @@ double timeSteps(CheckedWorld& c, int& steps) {
 }
 
 /// Returns the expected step (s) of the run: that of the start, or the shorter one after the solid melts.
-double expectedStep(const World& w, const StepTools& t, double start) {
-  double step = std::min(start, longestUnlimitedStep(w.clock));
-  if (mayBeDry(w.scene, w.modules))
+double expectedStep(const Scene& scene, const Modules& modules, const Clock& clock,
+                    const StepLimits& fixedLimits, double start) {
+  double step = std::min(start, longestUnlimitedStep(clock));
+  if (mayBeDry(scene, modules))
     for (const Limit l : limitsOfLiquid)
-      step = std::min(step, t.fixedLimits.value[static_cast<std::size_t>(l)]);
+      step = std::min(step, fixedLimits.value[static_cast<std::size_t>(l)]);
   return step;
 }
 
@@ -221,7 +223,7 @@ void estimateCost(CheckedWorld& c, const CheckOptions& o, SurfaceTrial& surface,
   double memory = totalBytes(memoryOf(w, c.t));
   all.maximum({&memory, 1});
   surface.update();  // last, since it melts the world
-  cost.steps = r.end / expectedStep(w, c.t, r.step.value_or(never));
+  cost.steps = r.end / expectedStep(w.scene, w.modules, w.clock, c.t.fixedLimits, r.step.value_or(never));
   const SurfaceTrial::Forecast onSurface = surface.forecast(cost.steps, total);
   const int size = c.comm.size(), ranks = o.ranks > 0 ? o.ranks : size;
   r.surface = surface.lines(onSurface, ranks);
@@ -261,13 +263,13 @@ CheckReport makeReport(const Communicator& comm, const CheckOptions& o) {
   else if (comm.rank() == 0)
     for (const std::string& line : large) std::printf("%s\n", line.c_str()), std::fflush(stdout);
   c.simulation.prepare(meshLoader());
-  requireMemory(comm, w, t.shapes);
+  requireMemory(comm, w.modules, w.scene, t.shapes);
   SamplingReport sampled = c.simulation.start(meshLoader());
   std::ranges::move(emptyRegions(w, meshLoader(), all), std::back_inserter(sampled.warnings));
   const std::vector<OrientedWork::Event> idle = t.oriented.idle;  // at the start
   const std::vector<OrientedWork::Field> unusedFields = t.oriented.unusedFields;
   // Emission and growth in the steps below change these counts.
-  countBodyTypes(w, all, r);
+  countBodyTypes(w.oriented, w.scene, w.sheets, all, r);
   countBodies(w, sampled, all, r);
   SurfaceTrial surface(comm, w, meshLoader());
   describeStart(c, sampled, r);

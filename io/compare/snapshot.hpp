@@ -43,7 +43,7 @@ struct Snapshot {
 };
 
 /// Opens a frame, a checkpoint, or the last checkpoint of a run's folder. Fields that depend on the number of
-/// ranks ("rank", bookkeeping) are omitted. Throws IoError if there is none, or it is damaged.
+/// ranks ("rank" and internal ones) are omitted. Throws IoError if there is none, or it is damaged.
 Snapshot openSnapshot(const std::string& path);
 
 /// Returns `path`, or the last checkpoint of a run's folder. Throws IoError if the folder has none that can

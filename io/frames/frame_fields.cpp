@@ -25,17 +25,17 @@ std::uint16_t bondsOf(const Bonds& b, std::uint32_t slot) {
   return count;
 }
 
-std::uint32_t slotOf(const World& w, std::size_t row) {
-  if (!w.particles.slot.active) return noSlot;
-  const std::uint32_t slot = w.particles.slot[row];
-  return slot < w.solids.owned ? slot : noSlot;
+std::uint32_t slotOf(const Continuum& particles, const Solids& solids, std::size_t row) {
+  if (!particles.slot.active) return noSlot;
+  const std::uint32_t slot = particles.slot[row];
+  return slot < solids.owned ? slot : noSlot;
 }
 
 /// Adds a symmetric tensor of the solids: value(slot), 0 for liquids and if `there` is false.
 template<class Value>
 void addTensor(Frame& f, const World& w, const char* name, const char* unit, bool there, Value value) {
   addRows<float>(f, name, unit, 6, [&w, there, value](std::size_t i, float* to) {
-    const std::uint32_t slot = there ? slotOf(w, i) : noSlot;
+    const std::uint32_t slot = there ? slotOf(w.particles, w.solids, i) : noSlot;
     put6(slot == noSlot ? Sym3d{} : value(slot), to);
   });
 }
@@ -105,7 +105,7 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
   } else if (name == "density") {
     // Only liquid has a summed density. The density of a solid follows from its volume, V = det Fe V0.
     addRows<float>(f, "density", "kg/m^3", 1, [&w, &p, &s, &materials](std::size_t i, float* to) {
-      const std::uint32_t slot = slotOf(w, i);
+      const std::uint32_t slot = slotOf(w.particles, w.solids, i);
       double share = 1;
       if (slot != noSlot && s.deformation.active) {
         const Mat3d& F = s.deformation[slot];
@@ -146,7 +146,7 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
   } else if (name == "neighbours") {
     // The neighbours of a solid particle are its bonds. Scenes of solids alone have no neighbour search.
     addRows<std::uint16_t>(f, "neighbours", "1", 1, [&w](std::size_t i, std::uint16_t* to) {
-      const std::uint32_t slot = slotOf(w, i);
+      const std::uint32_t slot = slotOf(w.particles, w.solids, i);
       *to = slot == noSlot
                 ? (w.modules.neighbours && i < w.neighbours.neighbours.size() ? w.neighbours.neighbours[i]
                                                                               : std::uint16_t(0))

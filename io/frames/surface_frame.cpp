@@ -14,9 +14,9 @@ bool wantsSurfelVelocities(const Scene& s) {
          s.output.fields.end();
 }
 
-Frame surfaceFrameOf(const World& w, const std::vector<Vec3d>& velocities) {
-  const Surfels& s = w.surface.surfels;
-  Frame f = startFrame(w.clock, s);
+Frame surfaceFrameOf(const Surface& surface, const Clock& clock, const std::vector<Vec3d>& velocities) {
+  const Surfels& s = surface.surfels;
+  Frame f = startFrame(clock, s);
   addRows<float>(f, "normal", "1", 3, [&s](std::size_t i, float* to) { put3(s.normal[i], to); });
   addRows<float>(f, "radius", "m", 1,
                  [&s](std::size_t i, float* to) { *to = static_cast<float>(s.radius[i]); });

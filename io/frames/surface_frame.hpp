@@ -12,7 +12,7 @@ std::string surfaceName(const std::string& scene);
 /// Returns a frame of the owned surfels: position, id, normal, radius, color, component, detail; liquid and
 /// temperature if the scene has them. In single precision. ParaView and VTK expect the name "color" for red,
 /// green, blue. velocities: m/s, one per surfel, added as `velocity`; or none.
-Frame surfaceFrameOf(const World& world, const std::vector<Vec3d>& velocities = {});
+Frame surfaceFrameOf(const Surface& surface, const Clock& clock, const std::vector<Vec3d>& velocities = {});
 
 /// Returns whether frames of the scene have velocities of surfels (`surface_velocity` in output.fields).
 bool wantsSurfelVelocities(const Scene& scene);

@@ -37,7 +37,7 @@ void writeWhatIsDue(Run& r, const StepOutcome& o, double before) {
   if (w.modules.surface &&
       (frameDue(w.clock) || surfaceDue(w.scene, w.clock, w.grid, w.surface, o.surfaceMove2)))
     updateSurfaceOf(r);
-  const bool row = ledgerRowDue(w, before);
+  const bool row = ledgerRowDue(w.scene, w.clock, before);
   for (const auto& call : r.onStep) call();
   while (frameDue(w.clock)) writeFrameOf(r);
   if (row) writeLedgerRow(r);

@@ -90,7 +90,8 @@ std::string failureText(World& w, StepTools& t, const StepOutcome& o, const Fail
                                            : "emitter '" + w.scene.emitters[source - bodies].name;
   std::string line = fmt::format(
       "{}: particle {} of {}' at {} m has a velocity of {} m/s and a force of {} N", seen(w, t, o, s),
-      numberOf(p.id[i]), name, text(p.position[i]), text(p.velocity[i]), text(forceOf(w, i)));
+      numberOf(p.id[i]), name, text(p.position[i]), text(p.velocity[i]),
+      text(forceOf(w.particles, w.scene, i)));
   const ForceTerms f = forceTerms(w, t, i);
   std::vector<std::pair<double, std::string>> terms;
   const auto add = [&](bool has, const char* term, double size) {

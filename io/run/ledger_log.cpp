@@ -149,10 +149,10 @@ void truncateLedgerLog(const std::string& out, const Modules& modules, std::int6
   truncateStepLog(ledgerLogPath(out), head(modules), step);
 }
 
-bool ledgerRowDue(const World& w, double before) {
-  const double every = w.scene.output.ledgerEvery;
-  if (frameDue(w.clock) || w.clock.time >= w.clock.end) return true;
-  return every > 0 && rowsBy(w.clock.time, every) > rowsBy(before, every);
+bool ledgerRowDue(const Scene& scene, const Clock& clock, double before) {
+  const double every = scene.output.ledgerEvery;
+  if (frameDue(clock) || clock.time >= clock.end) return true;
+  return every > 0 && rowsBy(clock.time, every) > rowsBy(before, every);
 }
 
 void writeLedgerRow(Run& r) {

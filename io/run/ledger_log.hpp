@@ -19,7 +19,7 @@ void truncateLedgerLog(const std::string& out, const Modules& modules, std::int6
 
 /// Returns whether a row is due for the step from the time `before` (s) to now. Requires: the frames of now
 /// are not written yet.
-bool ledgerRowDue(const World& world, double before);
+bool ledgerRowDue(const Scene& scene, const Clock& clock, double before);
 
 /// Writes a row. Requires: forces of the current positions. Collective.
 void writeLedgerRow(Run& run);

@@ -35,7 +35,7 @@ std::vector<std::string> prepareRun(Run& r, const MeshLoader& load) {
   });
   std::vector<std::string> slow = requireMemoryForBodyTypes(r.comm, r.world.scene, load);
   r.prepare(load);
-  requireMemory(r.comm, r.world, r.tools.shapes);
+  requireMemory(r.comm, r.world.modules, r.world.scene, r.tools.shapes);
   if (r.world.modules.surface) renewSurfaceHalos(r);
   return slow;
 }
@@ -57,13 +57,13 @@ void describe(Run& r) {
   for (const std::string& line : sceneWarnings(r.world.scene)) r.warn(line);
 }
 
-const char* adviceForThinLiquid(const World& w) {
-  const Numerics& n = w.scene.numerics;
-  if (w.modules.solid) return "choose a smaller spacing";
-  if (w.modules.incompressible)
+const char* adviceForThinLiquid(const Scene& scene, const Modules& modules) {
+  const Numerics& n = scene.numerics;
+  if (modules.solid) return "choose a smaller spacing";
+  if (modules.incompressible)
     return "leave out `numerics.pressure_solver`: this solver has no tension in liquid";
-  if (w.modules.tension && !w.modules.continuity) return "set `numerics.tension = \"curvature\"`";
-  if (!w.modules.continuity || n.tensileLimit < 1 || n.shifting == 0)
+  if (modules.tension && !modules.continuity) return "set `numerics.tension = \"curvature\"`";
+  if (!modules.continuity || n.tensileLimit < 1 || n.shifting == 0)
     return "set `numerics.density = \"continuity\"`, `numerics.tensile_limit = 1` and `numerics.shifting = "
            "0.2`";
   return "choose a smaller spacing";
@@ -79,7 +79,7 @@ void warnOfThinLiquid(Run& r) {
   r.warn(
       fmt::format("connected liquid has {:.2f} of its rest density on average: it is torn, or a layer of "
                   "few particles. If it should stay connected, {}",
-                  density, adviceForThinLiquid(r.world)));
+                  density, adviceForThinLiquid(r.world.scene, r.world.modules)));
 }
 
 /// Returns the end of a run that only relaxes. Sets `code` if it was stopped.
@@ -156,7 +156,7 @@ int finishRun(Run& r, int code, std::string why) {
     writeLastSnapshot(r);
     writeCheckpointOf(r);
     warnOfThinLiquid(r);
-    for (const std::string& line : unusedSourceLines(r.world, r.all)) r.warn(line);
+    for (const std::string& line : unusedSourceLines(r.world.ledger, r.world.scene, r.all)) r.warn(line);
   }
   summarise(r, code == exitDone ? "done" : code == exitStopped ? "stopped" : "failed", why);
   // The caller prints the message of a failure.

@@ -95,23 +95,23 @@ std::vector<std::string> requireMemoryForBodyTypes(const Communicator& comm, con
   return slow;
 }
 
-void requireMemory(const Communicator& comm, const World& world,
+void requireMemory(const Communicator& comm, const Modules& modules, const Scene& scene,
                    const std::vector<std::shared_ptr<const SignedDistance>>& shapes) {
-  if (world.modules.surface) refuseWideSurfels(world.scene, shapes);
+  if (modules.surface) refuseWideSurfels(scene, shapes);
   double particles = 0, most = -1;
   std::size_t largest = 0;  // named in the message
   for (std::size_t b = 0; b < shapes.size(); b++) {
-    const double own = expectedParticles({shapes[b]}, world.scene.spacing);
+    const double own = expectedParticles({shapes[b]}, scene.spacing);
     particles += own;
     if (own > most) most = own, largest = b;
   }
   const int ranksHere = ranksOfMachine(comm);
-  const double kept = world.scene.numerics.retryEvery > 0 ? 1 : 0;
+  const double kept = scene.numerics.retryEvery > 0 ? 1 : 0;
   const double all = particles * (leastParticleBytes + kept * leastKeptBytes +
-                                  (world.modules.solid ? leastSolidBytes + kept * leastKeptSolidBytes : 0)),
+                                  (modules.solid ? leastSolidBytes + kept * leastKeptSolidBytes : 0)),
                here = memoryHere();
-  const double surfels = world.modules.surface ? expectedSurfels(world.scene, shapes) : 0,
-               surface = surfels * (leastSurfelBytes(world.scene) + kept * leastKeptBytes);
+  const double surfels = modules.surface ? expectedSurfels(scene, shapes) : 0,
+               surface = surfels * (leastSurfelBytes(scene) + kept * leastKeptBytes);
   double worst[2] = {(all + surface) * ranksHere / comm.size() / here, -here};
   MPI_Allreduce(MPI_IN_PLACE, worst, 2, MPI_DOUBLE, MPI_MAX, comm.handle());
   if (!(worst[0] > 1)) return;
@@ -122,14 +122,14 @@ void requireMemory(const Communicator& comm, const World& world,
       bySurface ? fmt::format("the surface needs about {:.1e} surfels", surfels)
                 : fmt::format("the bodies need about {:.1e} particles", particles),
       (all + surface) / 1e9, -worst[1] / 1e9,
-      bySurface ? "use a larger `surface.spacing`"
-                : fmt::format("use a spacing of at least {:.2g} m",
-                              1.1 * world.scene.spacing * std::cbrt(worst[0])));
+      bySurface
+          ? "use a larger `surface.spacing`"
+          : fmt::format("use a spacing of at least {:.2g} m", 1.1 * scene.spacing * std::cbrt(worst[0])));
   if (shapes.empty()) throw std::runtime_error(text);
-  const Body& body = world.scene.bodies[largest];
+  const Body& body = scene.bodies[largest];
   SceneProblems problem;
-  problem.add(body.where, "body '" + body.name + "': " + text +
-                              sizeHint(world.scene, body.shape, shapes[largest]->bounds()));
+  problem.add(body.where,
+              "body '" + body.name + "': " + text + sizeHint(scene, body.shape, shapes[largest]->bounds()));
   problem.raise();
 }
 

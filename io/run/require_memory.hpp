@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "core/geometry/basic/signed_distance.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/scene/modules.hpp"
+#include "core/scene/scene.hpp"
 #include "parallel/communicator.hpp"
 
 namespace thaw {
@@ -14,7 +15,7 @@ namespace thaw {
 /// among ranks, with that of each machine (or the limit of its control group). The estimate is a lower bound,
 /// so that no run that fits is refused. Refuses surfels farther apart than half the width of a body, too.
 /// Throws ShapeError with one sentence, alike on all ranks. shapes: one per body of the scene. Collective.
-void requireMemory(const Communicator& comm, const World& world,
+void requireMemory(const Communicator& comm, const Modules& modules, const Scene& scene,
                    const std::vector<std::shared_ptr<const SignedDistance>>& shapes);
 
 /// Refuses oriented bodies and sheets that cannot fit into memory. Must be called before the world is

@@ -64,7 +64,7 @@ std::string triedText(const Run& r, const MonitorState& watch) {
   if (watch.failures > 0)
     text = fmt::format("; {} retries from step {} with steps down to 1/{} did not help", watch.failures,
                        watch.snapshotStep, std::int64_t(1) << watch.halvings);
-  if (watch.failures < n.retries && retryTooShort(r.world, r.tools.watch))
+  if (watch.failures < n.retries && retryTooShort(r.world.watch, r.world.clock, r.tools.watch))
     text += fmt::format("; half the step would be below {:.3g} s (`numerics.watch_step`)",
                         r.tools.watch.step);
   return text;
@@ -98,7 +98,7 @@ void beginRetries(Run& r) {
     r.warn(fmt::format("{} is missing: a retry can only go back to step {}",
                        snapshotFilePath(r.options.out, good), step));
   }
-  if (good != step) acceptState(w, reportLedger(w, r.tools, r.all));
+  if (good != step) acceptState(w.watch, w.clock, reportLedger(w, r.tools, r.all));
   findStoredEnergy(w, r.tools);
   takeSnapshot(w, r.good);
   r.snapshotInMemory = true;
@@ -120,7 +120,7 @@ Failure checkLedgerOf(Run& r) {
 
 void acceptSnapshot(Run& r) {
   r.tools.times.start();
-  acceptState(r.world, r.snapshotLedger);
+  acceptState(r.world.watch, r.world.clock, r.snapshotLedger);
   findStoredEnergy(r.world, r.tools);
   takeSnapshot(r.world, r.good);
   r.snapshotInMemory = true;
@@ -139,7 +139,7 @@ void writeLastSnapshot(Run& r) {
   World& w = r.world;
   if (atSnapshot(r)) return;
   if (w.clock.time >= w.clock.end) {  // The run has ended. A later end starts a new period of the check.
-    acceptState(w, reportLedger(w, r.tools, r.all));
+    acceptState(w.watch, w.clock, reportLedger(w, r.tools, r.all));
     return;
   }
   if (r.snapshotOnDisk || !r.writes()) return;
@@ -168,7 +168,7 @@ bool rollBack(Run& r, const StepOutcome& failed, std::string& why) {
       const std::int64_t mine = w.counters.retries + (r.first() ? 1 : 0);
       restoreLastSnapshot(r);
       w.counters.retries = mine;
-      halveStep(w, watch, clock.time);
+      halveStep(w.watch, w.clock, w.scene, watch, clock.time);
       removeFramesAfterSnapshot(r);
       const std::string line = fmt::format(
           "failed at {}: {}; back to step {}, t {:.6g} s, with 1/{} of the step", when, what, w.clock.step,

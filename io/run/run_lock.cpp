@@ -177,7 +177,7 @@ std::string RunLock::take(const LockRequest& q) {
   const std::string path = pathOf(q.out), text = ownText(q.ranks);
   const auto start = Wait::now();
   const auto waited = [&] { return std::chrono::duration<double>(Wait::now() - start).count(); };
-  for (bool tried = false; waited() < q.patience + 60; tried = true) {
+  for (bool tried = false; waited() < q.waitTime + 60; tried = true) {
     if (tried) std::this_thread::sleep_for(std::chrono::milliseconds(50));
     std::string note;
     if (create(path, text)) {
@@ -194,7 +194,7 @@ std::string RunLock::take(const LockRequest& q) {
     } else if (presence == ProcessState::Unknown && q.force) {
       note = fmt::format("note: this run takes over {} from {} (--force)", q.out, who);
     } else {
-      if (!elsewhere && waited() < q.patience) continue;  // The holder may be ending, or writing its lock.
+      if (!elsewhere && waited() < q.waitTime) continue;  // The holder may be ending, or writing its lock.
       if (presence == ProcessState::Here)
         throw IoError(q.out, fmt::format("another run uses this folder: {}; {}", who, advice));
       throw IoError(

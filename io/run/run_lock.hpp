@@ -33,7 +33,7 @@ struct LockRequest {
   std::string out;  ///< folder; made where it is missing
   int ranks = 1;
   bool force = false;   ///< take the lock of another host, or an unreadable one
-  double patience = 1;  ///< time for a holder on this host to end, s
+  double waitTime = 1;  ///< time for a holder on this host to end, s
 };
 
 /// Lock of this process on a folder. Rank 0 only. A killed process leaves the file. The file appears whole:

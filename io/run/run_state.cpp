@@ -247,7 +247,7 @@ void report(Run& r) {
   if (!r.options.status) r.say(line);
   else if (r.first()) r.options.status(statusLine(progress, l));
   onDisk(r, [&] { addToProgressLog(r.options.out, progress, r.summary); });
-  countWarnings(r, sumOfCounters(r.world, r.all));
+  countWarnings(r, sumOfCounters(r.world.counters, r.all));
   r.lastReport = WallClock::now();
   r.stepAtReport = r.world.clock.step;
   r.tools.times.lap(StepPhase::Other);
@@ -270,7 +270,7 @@ void warnOfInterpenetration(Run& r) {
   const World& w = r.world;
   if (w.modules.oriented &&
       r.obstacleInterpenetrationWarned.size() < w.scene.oriented.size() * w.walls.list.size())
-    for (const Interpenetration& s : findObstacleInterpenetrations(w, r.all))
+    for (const Interpenetration& s : findObstacleInterpenetrations(w.oriented, w.walls, w.scene, r.all))
       if (r.obstacleInterpenetrationWarned.insert({s.oriented, s.body}).second)
         r.warn(interpenetrationLine(w.scene.oriented[s.oriented], w.walls.list[s.body].properties, s.count,
                                     w.clock.time));

@@ -55,12 +55,12 @@ void writeSurfaceFrameOf(Run& r) {
   if (wantsSurfelVelocities(w.scene))
     velocities = surfelVelocities(surfaceView(w), r.surface->halos(), r.surfaceTools);
   const std::string name = surfaceName(r.name), file = frameName(name, w.clock.frame);
-  const Frame f = surfaceFrameOf(w, velocities);
+  const Frame f = surfaceFrameOf(w.surface, w.clock, velocities);
   writeFrame(frameFolder(r.options.out) + "/" + file, r.comm.handle(), f, r.stamp());
   onDisk(r, [&] {
     r.surfaceSeries.push_back({file, w.clock.time});
     writeSeries(seriesPath(r.options.out, name), r.surfaceSeries);
-    addToComponentLog(r.options.out, w);
+    addToComponentLog(r.options.out, w.surface, w.clock);
     recordVolumes(r.summary.surface.held, w.surface.components, w.clock.time);
   });
 }

@@ -62,13 +62,13 @@ void requireKnownForces(const Scene& scene, const Modules& m, const std::string&
     if (used) throw std::invalid_argument(name + " cannot be driven: its load by " + what + " is unknown");
 }
 
-void requireDrivable(const World& w, const Wall& wall) {
+void requireDrivable(const Scene& scene, const Modules& modules, const Wall& wall) {
   const std::string name = "obstacle '" + wall.properties.name + "'";
   if (wall.properties.motion.empty())
     throw std::invalid_argument(name + " is static: give it a keyframe, motion = [{ time = 0 }]");
-  if (mayHaveImages(w.scene.domain, wall))
+  if (mayHaveImages(scene.domain, wall))
     throw std::invalid_argument(name + " cannot be driven: it is shorter than the periodic domain");
-  requireKnownForces(w.scene, w.modules, name);
+  requireKnownForces(scene, modules, name);
 }
 
 void setMotion(Wall& wall, double time, const ObstacleMotion& m) {
@@ -83,7 +83,7 @@ void setMotion(Wall& wall, double time, const ObstacleMotion& m) {
 
 DrivenObstacle::DrivenObstacle(Simulation& sim, const std::string& name)
     : sim_(&sim), wall_(wallNamed(sim.world().walls, name)), load_(std::make_shared<WallLoad>()) {
-  requireDrivable(sim.world(), sim.world().walls.list[wall_]);
+  requireDrivable(sim.world().scene, sim.world().modules, sim.world().walls.list[wall_]);
   sim.onPhase(HookPhase::Forces, [&run = sim.runState(), wall = wall_, load = load_] {
     const WallContext at = stepContext(run.world, run.halos(), run.tools, 0).walls;
     *load = wallLoad(at, run.tools.inverseLatticeSum, run.tools.wallContacts, wall);

@@ -53,9 +53,7 @@ void undoEdit(Continuum& p, const Edit& e) {
   std::copy(e.temperature.begin(), e.temperature.end(), p.temperature.data());
 }
 
-void recordEdit(World& w, const Edit& e) {
-  Continuum& p = w.particles;
-  Ledger& ledger = w.ledger;
+void recordEdit(Continuum& p, Ledger& ledger, const Scene& scene, const Edit& e) {
   for (std::size_t i = 0; i < e.velocity.size(); i++) {
     const Vec3d dv = p.velocity[i] - e.velocity[i];
     if (dv.x == 0 && dv.y == 0 && dv.z == 0) continue;
@@ -65,7 +63,7 @@ void recordEdit(World& w, const Edit& e) {
   for (std::size_t i = 0; i < e.temperature.size(); i++) {
     if (p.temperature[i] == e.temperature[i]) continue;
     const double f = p.liquid.active ? static_cast<double>(p.liquid[i]) : 0;
-    const double enthalpy = ledgerEnthalpy(w.scene.numerics.heat, w.scene.materials[p.material[i]],
+    const double enthalpy = ledgerEnthalpy(scene.numerics.heat, scene.materials[p.material[i]],
                                            p.temperature[i], f);
     ledger.heatIn.add(p.mass[i] * (enthalpy - p.enthalpy[i]));
     p.enthalpy[i] = enthalpy;

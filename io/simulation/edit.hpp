@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/simulation/world/world.hpp"
+#include "core/ledger/ledger.hpp"
+#include "core/particles/continuum.hpp"
+#include "core/scene/scene.hpp"
 
 namespace thaw {
 
@@ -30,6 +32,6 @@ void undoEdit(Continuum& particles, const Edit& edit);
 
 /// Records the changes as work, impulse and heat from outside in the ledger. Enthalpies follow the
 /// temperatures.
-void recordEdit(World& world, const Edit& edit);
+void recordEdit(Continuum& particles, Ledger& ledger, const Scene& scene, const Edit& edit);
 
 }  // namespace thaw

@@ -309,7 +309,7 @@ bool Simulation::endEdit() {
     throw std::invalid_argument(broadcastFromOwner(r.comm, problem) + "; the changes are taken back");
   }
   if (flags[0] == 0) return false;
-  recordEdit(r.world, edit);
+  recordEdit(r.world.particles, r.world.ledger, r.world.scene, edit);
   applyNewCoefficients(r.world, r.halos(), r.tools);
   r.edited = true;
   if (!r.advancing) acceptEdit(r);

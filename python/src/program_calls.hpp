@@ -66,7 +66,7 @@ template<class Call> void guarded(const Call& call) {
   calls.failedAfterOthers = calls.meeting.unmet;
 }
 
-/// An exception of one rank, as all ranks know it.
+/// An exception of one rank, with its text on all ranks.
 struct SharedFailure {
   int rank = -1;           ///< the first rank that has one; -1: none
   bool interrupt = false;  ///< KeyboardInterrupt, as of Ctrl-C and SIGTERM

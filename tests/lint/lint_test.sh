@@ -61,6 +61,22 @@ long='a line that has more columns than are allowed, in a script, which is not w
 long+=', ever, at all'
 square=core/math/square.hpp
 
+# Plants an upward include and an old name in headers of other forms, links by label and in HTML, words that
+# the glossary has replaced, and long lines outside of sources.
+plantHidden() {
+  printf '// %s\n#pragma once\n#include <core/walls/wall.hpp>\n#  include "core/walls/wall.hpp"\n' \
+    "$licence" >"$dir/tree/core/math/angle.hpp"
+  printf '// %s\n#pragma once\n#include "core/walls/wall.hpp"\n' "$licence" >"$dir/tree/core/math/old.h"
+  printf '// %s\n// The rank sends %s to it.\nint %s();\nconst char* text = "it is a %s";\n' \
+    "$licence" home "take""Stock" "cham""pion" >"$dir/tree/core/heat/words.cpp"
+  printf '\nSee [one][lost], [two][] and [three][known].\n\n[lost]: nothere.md\n[known]: page.md\n' \
+    >"$dir/tree/docs/links.md"
+  printf '<a href="gone.html">gone</a> <img src="gone.png">\n`[x][y]` is code.\n' >>"$dir/tree/docs/links.md"
+  { printf '# Readme\n\nA sentence'; printf ' and on%.0s' {1..15}; printf '.\n'; } >"$dir/tree/README.md"
+  printf '# %s\nRUN echo %s\n' "$licence" "$long" >"$dir/tree/Containerfile"
+  printf '# %s\n' "$long" >"$dir/tree/scripts/config.cmake.in"
+}
+
 # begins FILE LINE...: the file begins with these lines
 begins() {
   local file=$1
@@ -113,6 +129,8 @@ printf '// Of a number.\n// .5 of it is a half.\n#pragma once\n' >"$dir/tree/cor
 printf 'echo "%s"\n' "$long" >"$dir/tree/scripts/long.sh"
 printf '\nIt occ%s twice.\n[A link](nowhere.md)\n[Another](page.md#another-part)\n' ured \
   >>"$dir/tree/docs/page.md"
+# Faults that other forms of a link, an include or a file hide.
+plantHidden
 printf '\n<<<<<<%s HEAD\n' '<' >>"$dir/tree/scripts/long.sh"
 { printf '\nThe step is to%s its length.\n\nA sentence' ld; printf ' and on%.0s' {1..15}; printf '.\n'; } \
   >>"$dir/tree/docs/page.md"
@@ -130,8 +148,22 @@ finds 'a dead anchor' '^docs/page.md:7: dead link: docs/page.md has no heading #
 finds 'a dead reference in a comment' "^$square:1: the comment names docs/lost.md"
 finds 'a comment that begins with "of"' '^core/math/half.hpp:1: a comment begins with "Of"'
 finds 'a decimal without its zero' '^core/math/half.hpp:2: a decimal without its leading zero'
+finds 'an upward include in angle brackets' '^core/math/angle.hpp:3: includes core/walls/wall.hpp'
+finds 'an upward include behind blanks' '^core/math/angle.hpp:4: includes core/walls/wall.hpp'
+finds 'an upward include of another header' '^core/math/old.h:3: includes core/walls/wall.hpp'
+finds 'a header of another ending' '^core/math/old.h:1: C\+\+ files end in .cpp or .hpp'
+finds 'a retired word of a comment' '^core/heat/words.cpp:2: "sends ho''me" is retired: redistribute'
+finds 'a retired name' '^core/heat/words.cpp:3: "take''Stock" is retired: initializeForces'
+finds 'a retired word of a message' '^core/heat/words.cpp:4: "cham''pion" is retired: local maximum'
+finds 'a dead definition of a label' '^docs/links.md:4: dead link: there is no docs/nothere.md'
+finds 'a label without definition' '^docs/links.md:2: dead link: nothing defines \[two\]'
+finds 'a dead link in HTML' '^docs/links.md:6: dead link: there is no docs/gone.html'
+finds 'a picture that is not there' '^docs/links.md:6: dead link: there is no docs/gone.png'
+finds 'a long sentence of the README' '^README.md:3: a sentence of 32 words, at most 30'
+finds 'a long line of a recipe' '^Containerfile:2: 1[0-9]* columns, at most 110'
+finds 'a long line of a template' '^scripts/config.cmake.in:1: 1[0-9]* columns, at most 110'
 finds 'a long function' '^core/heat/long.cpp:1: steps has 72 lines, at most 70'
-finds 'a full folder' '^core/math:1: 33 source files, at most 30'
+finds 'a full folder' '^core/math:1: 34 source files, at most 30'
 
 # A circle of folders that entries for single files hide, and names that do not exist.
 plantTree
@@ -163,5 +195,28 @@ if grep -E 'Late::now|Late.IsNow|K05|list "Keiser' <<<"$output"; then
   printf 'FAILED: names that exist are findings\n'
   failures=$((failures + 1))
 fi
+
+# clang-tidy of all sources checks those of a folder together, with the configuration of the tree.
+plantTree
+cp "$root"/scripts/lint_tidy.py "$dir/tree/scripts/"
+printf 'Checks: "-*,readability-container-size-empty"\nHeaderFilterRegex: /core/\n' >"$dir/tree/.clang-tidy"
+printf '#include <string>\nbool small(const std::string& s) { return s.size() == 0; }\n' \
+  >"$dir/tree/core/heat/small.cpp"
+mkdir "$dir/build"
+for source in heat small; do
+  path=$dir/tree/core/heat/$source.cpp
+  printf '{"directory": "%s", "file": "%s", ' "$dir/tree" "$path"
+  printf '"command": "g++ -mmove-max=256 -mmemset-strategy=libcall:-1:noalign -Werror -std=c++20 -I. '
+  printf -- '-c %s"}\n' "$path"
+done | python3 -c 'import json, sys; print(json.dumps([json.loads(line) for line in sys.stdin]))' \
+  >"$dir/build/compile_commands.json"
+code=0
+output=$(python3 "$dir/tree/scripts/lint_tidy.py" "$dir/build" ALL 2>&1) || code=$?
+finds 'a finding of clang-tidy in a group' 'core/heat/small.cpp:2:.*readability-container-size-empty'
+sed -i 's/s.size() == 0/s.empty()/' "$dir/tree/core/heat/small.cpp"
+python3 "$dir/tree/scripts/lint_tidy.py" "$dir/build" ALL || {
+  printf 'FAILED: clang-tidy finds faults in a tree without them\n'
+  failures=$((failures + 1))
+}
 
 [ "$failures" -eq 0 ] || { printf '%s checks failed\n' "$failures"; exit 1; }

@@ -72,7 +72,7 @@ TEST(BondHalo, SecondMigrationNeedsARebuild) {
 /// Records written on some ranks and read on others build the same graph, whether particles are redistributed
 /// before or after the first rebuild of bonds.
 TEST(BondHalo, BuildsTheSameGraphFromRecords) {
-  for (const bool relinkFirst : {false, true}) {
+  for (const bool rebuildFirst : {false, true}) {
     Rig rig(120, 8);
     rig.meltAndFreeze(0, 0.9);
     rig.rebuildBonds();
@@ -88,7 +88,7 @@ TEST(BondHalo, BuildsTheSameGraphFromRecords) {
     rig.b.twoFrames = true;
     std::fill_n(rig.p.slot.data(), rig.p.owned, noSlot);
     rig.halo->adopt(std::move(records.bytes));
-    if (relinkFirst) {
+    if (rebuildFirst) {
       rig.rebuildBonds();
       if (!rig.good("adopted")) return;
     }

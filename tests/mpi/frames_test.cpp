@@ -207,7 +207,7 @@ TEST(Series, IsRebuiltFromTheExistingFrames) {
   if (rankOf() == 0) {
     std::ofstream(frameFolder(folder.path) + "/wax_000004.hdf") << "damaged";
     std::ofstream(frameFolder(folder.path) + "/wax_000005.hdf.part") << "half";
-    std::ofstream(frameFolder(folder.path) + "/waxwork_000001.hdf") << "of somebody else";
+    std::ofstream(frameFolder(folder.path) + "/waxwork_000001.hdf") << "another file";
     const auto entries = framesPresent(folder.path, "wax", 0.08);
     ASSERT_EQ(entries.size(), 3u);
     EXPECT_FALSE(fs::exists(frameFolder(folder.path) + "/wax_000005.hdf.part"));

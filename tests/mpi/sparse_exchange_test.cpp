@@ -16,10 +16,12 @@ namespace {
 /// Number of messages from one rank to another in a round (mostly none). Every rank computes the same numbers
 /// and sizes.
 int messagesBetween(int from, int to, int round) {
-  return static_cast<int>(hashed(static_cast<std::uint64_t>(round * 10007 + from * 101 + to)) * 5) - 2;
+  const int key = round * 10007 + from * 101 + to;
+  return static_cast<int>(hashed(static_cast<std::uint64_t>(key)) * 5) - 2;
 }
 std::size_t sizeOf(int from, int to, int round, int k) {
-  const double u = hashed(static_cast<std::uint64_t>(((round * 64 + from) * 64 + to) * 8 + k));
+  const int key = ((round * 64 + from) * 64 + to) * 8 + k;
+  const double u = hashed(static_cast<std::uint64_t>(key));
   return 1 + static_cast<std::size_t>(u < 0.1 ? u * 3e6 : u * 500);
 }
 std::byte content(std::size_t i, int from, int k) {

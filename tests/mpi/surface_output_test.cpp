@@ -169,7 +169,7 @@ TEST(SurfaceOutput, FramesAreComparedAsSurfels) {
   addSurface(w, MPI_COMM_WORLD, 150);
   const std::string a = folder.path + "/" + frameName(surfaceName("wax"), 3), b = folder.path + "/b.hdf";
   EXPECT_TRUE(a.ends_with("/wax_surface_000003.hdf"));
-  writeFrame(a, MPI_COMM_WORLD, surfaceFrameOf(w), stamp);
+  writeFrame(a, MPI_COMM_WORLD, surfaceFrameOf(w.surface, w.clock), stamp);
   const FrameData d = readFrame(a);
   ASSERT_EQ(d.positions.size(), 150u);
   for (const char* name : {"id", "normal", "radius", "color", "component", "detail", "liquid", "temperature"})
@@ -180,7 +180,7 @@ TEST(SurfaceOutput, FramesAreComparedAsSurfels) {
   EXPECT_EQ(d.find("color")->value(5, 1), 20);
   // the first surfel of each rank is missing in the other file
   if (w.surface.surfels.owned > 0) w.surface.surfels.resize(w.surface.surfels.owned - 1, 0);
-  writeFrame(b, MPI_COMM_WORLD, surfaceFrameOf(w), stamp);
+  writeFrame(b, MPI_COMM_WORLD, surfaceFrameOf(w.surface, w.clock), stamp);
   if (rankOf() != 0) return;
   EXPECT_EQ(describe(compareSnapshots(openSnapshot(a), openSnapshot(a), {}))[0],
             "equal: 150 surfels, 8 fields");

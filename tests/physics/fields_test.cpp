@@ -81,9 +81,10 @@ TEST(Fields, ForcesAreSeparateWhereNecessary) {
     for (int k = 0; k < 20; k++) ASSERT_TRUE(run.step());
     double largest = 0;
     for (std::size_t i = 0; i < p.owned; i++) {
-      largest = std::max(largest, length(forceOf(run.w, i)));
+      largest = std::max(largest, length(forceOf(run.w.particles, run.w.scene, i)));
       if (own && p.clamped[i]) continue;
-      EXPECT_LT(length(forceOf(run.w, i) / p.mass[i] + free.domain.gravity - p.acceleration[i]),
+      EXPECT_LT(length(forceOf(run.w.particles, run.w.scene, i) / p.mass[i] + free.domain.gravity -
+                       p.acceleration[i]),
                 1e-10 * length(free.domain.gravity))
           << i;
     }

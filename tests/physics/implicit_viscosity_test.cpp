@@ -27,7 +27,7 @@ double explicitLimit(const Scene& s, double nu) {
 
 /// Energy (J) that the ledger records ahead. The work of a force is recorded in the step that computes the
 /// force, and half of its kick follows in the next step with another velocity.
-double bookedAhead(const Simulation& run) {
+double recordedAhead(const Simulation& run) {
   const Continuum& p = run.w.particles;
   const double dt = run.w.clock.stepDt;
   double ahead = 0;
@@ -77,9 +77,9 @@ TEST(ImplicitViscosity, ShearWaveDecaysWithStepsFarAboveTheExplicitLimit) {
     EXPECT_NEAR(measured / rate, 1, times < 20 ? 0.06 : 0.3);  // the pair sum has 1.06 of the viscosity;
                                                                // backward Euler is of first order
     EXPECT_LT(length(r.momentumResidual), 1e-12 * r.initial.mass);
-    EXPECT_LT(std::abs(r.energyResidual - bookedAhead(run)), 0.01 * a0);
+    EXPECT_LT(std::abs(r.energyResidual - recordedAhead(run)), 0.01 * a0);
     std::printf("residual %.2e of the energy at the start, %.2e without the part recorded ahead\n",
-                r.energyResidual / a0, (r.energyResidual - bookedAhead(run)) / a0);
+                r.energyResidual / a0, (r.energyResidual - recordedAhead(run)) / a0);
     EXPECT_EQ(run.w.counters.viscousUnfinished, 0);
   }
 }
@@ -99,9 +99,9 @@ TEST(ImplicitViscosity, PoiseuilleStartUpWithLongSteps) {
   EXPECT_LT(error, 0.05);
   const LedgerReport r = run.ledgerReport();
   EXPECT_LT(length(r.momentumResidual), 1e-9 * length(r.gravityImpulse));
-  EXPECT_LT(std::abs(r.energyResidual - bookedAhead(run)), 0.02 * r.energyScale);
+  EXPECT_LT(std::abs(r.energyResidual - recordedAhead(run)), 0.02 * r.energyScale);
   std::printf("residual %.2e, %.2e without the part recorded ahead\n", r.energyResidual / r.energyScale,
-              (r.energyResidual - bookedAhead(run)) / r.energyScale);
+              (r.energyResidual - recordedAhead(run)) / r.energyScale);
 }
 
 // A drop that spins and shears becomes a rigid body. Viscosity acts along the line between two particles.

@@ -148,7 +148,7 @@ TEST(Rigid, ClampedPiecesStayInPlace) {
   EXPECT_NEAR(sim.ledgerReport().momentumResidual.z, 0, 1e-9);
 }
 
-TEST(Rigid, ClampsThatMeltLetGo) {
+TEST(Rigid, ClampsThatMeltAreRemoved) {
   Scene s = turningBar();
   s.domain.gravity = {0, 0, -9.81};
   s.bodies[0].velocity = s.bodies[0].spin = {};

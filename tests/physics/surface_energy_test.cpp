@@ -41,7 +41,7 @@ Scene drop(double spacing) {
 
 Vec3d total(const World& w) {
   Vec3d sum{};
-  for (std::size_t i = 0; i < w.particles.owned; i++) sum += forceOf(w, i);
+  for (std::size_t i = 0; i < w.particles.owned; i++) sum += forceOf(w.particles, w.scene, i);
   return sum;
 }
 
@@ -66,8 +66,10 @@ TEST(SurfaceEnergy, FlatLatticeHasTheCalibratedEnergy) {
   double energy = 0, along = 0, inside = 0;
   for (std::size_t i = 0; i < p.owned; i++) {
     energy += p.interaction[i];
-    along = std::max({along, std::abs(forceOf(run.w, i).x), std::abs(forceOf(run.w, i).y)});
-    if (std::abs(p.position[i].z) < 2 * dx) inside = std::max(inside, length(forceOf(run.w, i)));
+    along = std::max({along, std::abs(forceOf(run.w.particles, run.w.scene, i).x),
+                      std::abs(forceOf(run.w.particles, run.w.scene, i).y)});
+    if (std::abs(p.position[i].z) < 2 * dx)
+      inside = std::max(inside, length(forceOf(run.w.particles, run.w.scene, i)));
   }
   EXPECT_NEAR(energy, 0.81 * 2 * 36 * dx * dx, 1e-3 * energy);
   EXPECT_LT(along, 1e-5 * dx);

@@ -114,7 +114,7 @@ TEST(TensionByTemperature, PullsToTheColdEndAndKeepsMomentum) {
   const auto surfaceForce = [&](double from, double to) {
     Vec3d sum{};
     for (std::size_t i = 0; i < p.owned; i++)
-      if (p.position[i].z > from && p.position[i].z < to) sum += forceOf(run.w, i);
+      if (p.position[i].z > from && p.position[i].z < to) sum += forceOf(run.w.particles, run.w.scene, i);
     return sum;
   };
   EXPECT_LT(length(surfaceForce(-2, 2)), 1e-12);

@@ -140,7 +140,7 @@ TEST(Stability, Row07FreeSurfaceDensity) {
     fastest[!naive] = v;
   }
   measured(
-      "filling of face, edge, corner %.2f, %.2f, %.2f; a cube at rest moves at %.2f m/s (c = 10) with "
+      "density ratio of face, edge, corner %.2f, %.2f, %.2f; a cube at rest moves at %.2f m/s (c = 10) with "
       "negative pressure, at %.1e",
       relativeDensity[0], relativeDensity[1], relativeDensity[2], fastest[0], fastest[1]);
   EXPECT_LT(relativeDensity[2], 0.7);
@@ -238,7 +238,8 @@ TEST(Stability, Row12DensityLayers) {
   EXPECT_TRUE(run.run());
   for (std::size_t i = 0; i < p.owned; i++) fastest = std::max(fastest, length(p.velocity[i]));
   measured(
-      "filling of a light particle at the interface: %.0f with summed masses; within %.1e of 1; fastest "
+      "density ratio of a light particle at the interface: %.0f with summed masses; within %.1e of 1; "
+      "fastest "
       "after 0.05 s %.1e m/s (c = 10)",
       summed, largest, fastest);
   EXPECT_GT(summed, 100);

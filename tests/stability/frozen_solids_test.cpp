@@ -67,7 +67,7 @@ TEST(Stability, Row13PulledMoltenFlownFrozen) {
   const LedgerReport r = run.ledgerReport();
   measured(
       "elastic energy just after freezing: %.3g J with the old reference, %.3g J (kinetic %.3g J); phase "
-      "jump booked %.3g J",
+      "recorded jump %.3g J",
       totalEnergy(*stale), frozen, moving, r.phaseJump);
   EXPECT_GT(totalEnergy(*stale), 10 * moving);
   EXPECT_LT(frozen, 0.1 * moving);

@@ -51,8 +51,8 @@ void turnRound(Trial& r) {
       const Sym3d e = greenStrain(gradientOf(x, i));
       return largestEntry(full(e));
     });
-    const double pull = largest(r,
-                                [&](const World& x, std::size_t i) { return length(forceOf(x, i)) / force; });
+    const double pull = largest(
+        r, [&](const World& x, std::size_t i) { return length(forceOf(x.particles, x.scene, i)) / force; });
     r.notes["strain"] = std::max(r.notes["strain"], strain);
     r.notes["force"] = std::max(r.notes["force"], pull);
   }
@@ -75,7 +75,8 @@ void launch(Trial& r) {
 void watchFlight(Trial& r) {
   World& w = r.world;
   const LedgerReport l = reportLedger(w, r.tools, r.all);
-  const double forces = sum(r, [](const World& x, std::size_t i) { return length(forceOf(x, i)); });
+  const double forces = sum(
+      r, [](const World& x, std::size_t i) { return length(forceOf(x.particles, x.scene, i)); });
   r.notes["impulse"] += forces * w.clock.stepDt;
   r.notes["energy"] = std::max(r.notes["energy"],
                                std::abs(l.energyResidual) / (l.initial.kinetic + l.initial.elastic));

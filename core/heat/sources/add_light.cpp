@@ -17,10 +17,11 @@ Bounds boundsOfAll(const Continuum& p, Reducer& all) {
   std::array<double, 6> extent;
   extent.fill(-never);
   for (std::size_t i = 0; i < p.owned; i++)
-    for (int a = 0; a < 3; a++) {
-      double &below = extent[static_cast<std::size_t>(a)], &above = extent[static_cast<std::size_t>(a + 3)];
-      below = std::max(below, -p.position[i][a]);
-      above = std::max(above, p.position[i][a]);
+    for (std::size_t a = 0; a < 3; a++) {
+      double &below = extent[a], &above = extent[a + 3];
+      const double x = p.position[i][static_cast<int>(a)];
+      below = std::max(below, -x);
+      above = std::max(above, x);
     }
   all.maximum(extent);
   return {{-extent[0], -extent[1], -extent[2]}, {extent[3], extent[4], extent[5]}};

@@ -21,23 +21,23 @@ namespace {
 /// Numbers per leaver in a message.
 std::size_t wordsOf(const StepTools& t) { return 6 + 4 * t.pairForces.size(); }
 
-double volumeOf(const World& w, std::size_t i) {
-  const double h = w.grid.support;
-  return w.particles.mass[i] / (restDensityOf(w.particles, w.scene.materials, i) * h * h * h);
+double volumeOf(const CellGrid& grid, const Continuum& particles, const Scene& scene, std::size_t i) {
+  const double h = grid.support;
+  return particles.mass[i] / (restDensityOf(particles, scene.materials, i) * h * h * h);
 }
 
 /// Positions of a leaver and of its periodic images within a support radius of the domain.
-std::vector<Vec3d> imagesOf(const World& w, const Vec3d& x) {
-  const Domain& d = w.scene.domain;
+std::vector<Vec3d> imagesOf(const Scene& scene, const CellGrid& grid, const Vec3d& x) {
+  const Domain& d = scene.domain;
   std::vector<Vec3d> images{x};
   for (int a = 0; a < 3; a++) {
-    if (!w.grid.periodic[a]) continue;
+    if (!grid.periodic[a]) continue;
     const std::size_t had = images.size();
     for (std::size_t k = 0; k < had; k++)
-      for (const double shift : {-w.grid.period[a], w.grid.period[a]}) {
+      for (const double shift : {-grid.period[a], grid.period[a]}) {
         Vec3d image = images[k];
         image[a] += shift;
-        const bool near = image[a] > d.min[a] - w.grid.support && image[a] < d.max[a] + w.grid.support;
+        const bool near = image[a] > d.min[a] - grid.support && image[a] < d.max[a] + grid.support;
         if (near) images.push_back(image);
       }
   }
@@ -50,7 +50,7 @@ template<class Pair> void eachNearLeaver(const World& w, const StepTools& t, Pai
   const Continuum& p = w.particles;
   std::vector<RowSpan> ranges;
   for (const Leaver& l : t.leavers)
-    for (const Vec3d& x : imagesOf(w, l.position)) {
+    for (const Vec3d& x : imagesOf(w.scene, w.grid, l.position)) {
       rowsAround(w.cells, cellKey(cellOf(w.grid, x)), ranges);
       for (const RowSpan& r : ranges)
         for (std::uint32_t j = r.begin; j < r.end && j < p.owned; j++) {
@@ -65,8 +65,8 @@ void recordCohesion(World& w, const StepTools& t) {
   using isa_base::Cohesion;
   const double h = w.grid.support;
   eachNearLeaver(w, t, [&](std::uint32_t j, const Leaver& l, const Vec3d& d) {
-    const double pair = l.volume * l.rootTension * volumeOf(w, j) * rootTensionOf(w.particles, t.liquids, j) *
-                        h * h;
+    const double pair = l.volume * l.rootTension * volumeOf(w.grid, w.particles, w.scene, j) *
+                        rootTensionOf(w.particles, t.liquids, j) * h * h;
     w.ledger.left.potential.add(0.5 * Cohesion::scale * pair * Cohesion::potential(length(d)));
   });
 }
@@ -130,11 +130,12 @@ double surfaceLost(World& w, const StepTools& t, const Lost& lost) {
 }
 
 /// Loss of compression energy (J/m^3 of liquid); 0 with a carried density.
-double compressionLost(const World& w, const StepTools& t, const Lost& lost) {
-  if (w.modules.continuity || w.modules.incompressible) return 0;
-  const Numerics& n = w.scene.numerics;
-  const double stiffness = t.liquids[w.particles.material[lost.row]].stiffness;
-  const auto relativeDensity = static_cast<double>(w.particles.relativeDensity[lost.row]);
+double compressionLost(const Scene& scene, const Modules& modules, const Continuum& particles,
+                       const std::vector<LiquidMaterial>& liquids, const Lost& lost) {
+  if (modules.continuity || modules.incompressible) return 0;
+  const Numerics& n = scene.numerics;
+  const double stiffness = liquids[particles.material[lost.row]].stiffness;
+  const auto relativeDensity = static_cast<double>(particles.relativeDensity[lost.row]);
   const auto energy = [&](double f) { return compressionEnergy(n.eos, stiffness, f, n.tensileLimit); };
   return energy(relativeDensity + lost.relativeDensity) - energy(relativeDensity);
 }
@@ -143,7 +144,7 @@ void recordNeighbourhoods(World& w, const StepTools& t) {
   const Continuum& p = w.particles;
   for (const Lost& lost : lostSums(w, t)) {
     const double V = restVolumeOf(p, w.scene.materials, lost.row);
-    const double density = surfaceLost(w, t, lost) + compressionLost(w, t, lost);
+    const double density = surfaceLost(w, t, lost) + compressionLost(w.scene, w.modules, p, t.liquids, lost);
     w.ledger.left.potential.add(liquidFraction(p, lost.row) * V * density);
   }
 }
@@ -169,7 +170,8 @@ std::vector<Leaver> leaversOfAll(const World& w, const StepTools& t, Reducer& al
   for (const std::uint32_t i : t.leaving) {
     *to++ = std::bit_cast<std::int64_t>(w.particles.id[i]);
     const Vec3d& x = w.particles.position[i];
-    for (const double value : {x.x, x.y, x.z, volumeOf(w, i), rootTensionOf(w.particles, t.liquids, i)})
+    for (const double value :
+         {x.x, x.y, x.z, volumeOf(w.grid, w.particles, w.scene, i), rootTensionOf(w.particles, t.liquids, i)})
       *to++ = std::bit_cast<std::int64_t>(value);
     for (const PairForceWork& work : t.pairForces)
       for (const double value : pairRecordOf(w.scene, w.particles, i, work))

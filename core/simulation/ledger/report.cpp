@@ -17,11 +17,12 @@ namespace thaw {
 namespace {
 
 /// Adds the rotation of a particle of a rigid piece about its own centre.
-void addOwnSpin(const World& w, std::size_t i, ExactBalance& b) {
-  const std::uint32_t row = w.pieces.rowOf(w.particles.piece[i]);
+void addOwnSpin(const Pieces& pieces, const Continuum& particles, const Scene& scene, std::size_t i,
+                ExactBalance& b) {
+  const std::uint32_t row = pieces.rowOf(particles.piece[i]);
   if (row == noPieceRow) return;  // at a start, before the pieces are made
-  const double inertia = ownInertia(w.particles.mass[i], w.scene.spacing);
-  const Vec3d spin = spinOf(w.pieces, row, w.pieces.angularMomentum[row]);
+  const double inertia = ownInertia(particles.mass[i], scene.spacing);
+  const Vec3d spin = spinOf(pieces, row, pieces.angularMomentum[row]);
   b.kinetic.add(0.5 * inertia * dot(spin, spin));
   for (int a = 0; a < 3; a++) b.angularMomentum[a].add(inertia * spin[a]);
 }
@@ -36,7 +37,7 @@ void addRow(const World& w, std::size_t i, ExactBalance& b) {
     b.angularMomentum[a].add(m * L[a]);
   }
   b.kinetic.add(0.5 * m * dot(v, v));
-  if (touchesAsPiece(p, i)) addOwnSpin(w, i, b);
+  if (touchesAsPiece(p, i)) addOwnSpin(w.pieces, w.particles, w.scene, i, b);
   b.potential.add(-m * dot(w.scene.domain.gravity, x));
   if (p.interaction.active) b.potential.add(p.interaction[i]);
   if (p.enthalpy.active) b.internal.add(m * p.enthalpy[i]);
@@ -79,9 +80,8 @@ struct Unpack {
 double mechanical(const Balance& b) { return b.kinetic + b.elastic + b.potential; }
 
 /// Heat (J) that temperature differences in the scene can move.
-double movableHeat(const World& w, double mass) {
-  const Scene& s = w.scene;
-  if (!w.modules.heat) return 0;
+double movableHeat(const Scene& s, const Modules& modules, double mass) {
+  if (!modules.heat) return 0;
   double lowest = never, highest = -never, capacity = 0;
   const auto see = [&](double T) { lowest = std::min(lowest, T), highest = std::max(highest, T); };
   for (const Body& b : s.bodies) {
@@ -102,33 +102,33 @@ double movableHeat(const World& w, double mass) {
 /// Largest heat (J) that moved or can move.
 double heatScaleOf(const World& w, const LedgerReport& r) {
   const double gained = r.now.internal - r.initial.internal - r.entered.internal + r.left.internal;
-  return std::max({std::abs(gained), std::abs(r.heatIn), movableHeat(w, r.now.mass)});
+  return std::max({std::abs(gained), std::abs(r.heatIn), movableHeat(w.scene, w.modules, r.now.mass)});
 }
 
 /// Rounding limit of mechanical energies, which are sums of cancelling terms. It is 1e-14 of three energies:
 /// a strain of 1 in all bodies, their fall through the domain, motion through it in the scene's time. It is
 /// also 2^-24 of the heat that moves. Less would not show in temperatures of a frame, which are in single
 /// precision.
-double roundingOf(const World& w, const StepTools& t, const LedgerReport& r) {
-  const Scene& s = w.scene;
+double roundingOf(const Scene& s, const Modules& modules, const SheetBodies& sheets,
+                  const std::vector<LiquidMaterial>& liquids, const LedgerReport& r) {
   const Vec3d size = s.domain.max - s.domain.min;
   double fall = 0, strained = 0;
   for (int a = 0; a < 3; a++) fall += std::abs(s.domain.gravity[a]) * size[a];
   for (std::size_t k = 0; k < s.materials.size() && r.particles > 0; k++) {
     const Material& m = s.materials[k];
     if (m.canBeSolid()) strained = std::max(strained, contactModulus(m, 0) / m.density * r.now.mass);
-    if (w.modules.fluid && k < t.liquids.size())
-      strained = std::max(strained, t.liquids[k].stiffness / m.density * r.now.mass);
+    if (modules.fluid && k < liquids.size())
+      strained = std::max(strained, liquids[k].stiffness / m.density * r.now.mass);
   }
   for (const OrientedBody& b : s.oriented) {
     const double spacing = spacingOf(s, b);
     strained = std::max(strained,
                         b.stiffness * spacing * spacing * static_cast<double>(r.rows[orientedType]));
   }
-  for (std::size_t n = 0; n < w.sheets.plans.size(); n++) {
+  for (std::size_t n = 0; n < sheets.plans.size(); n++) {
     const SheetBody& b = s.sheets[n];
     double area = 0;
-    for (const double x : w.sheets.plans[n].topology.area) area += x;
+    for (const double x : sheets.plans[n].topology.area) area += x;
     strained = std::max(strained, area * std::max({b.warp, b.weft, b.shear, b.bending}));
   }
   const double speed = s.end > 0 ? length(size) / s.end : 0;
@@ -269,7 +269,7 @@ LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
   LedgerReport r = unpackReport(w, sumOverRanks(w, packLedger(w), all));
   findResiduals(w.watch, r);
   r.heatScale = heatScaleOf(w, r);
-  r.energyRounding = roundingOf(w, t, r);
+  r.energyRounding = roundingOf(w.scene, w.modules, w.sheets, t.liquids, r);
   return r;
 }
 

@@ -14,7 +14,7 @@ double failureMeasure(const World& w, Failure failure, Limit limitedBy, std::siz
   const Continuum& p = w.particles;
   const bool solid = p.slot.active && p.slot[i] != noSlot && p.slot[i] < w.solids.owned;
   const double speed2 = dot(p.velocity[i], p.velocity[i]);
-  const Vec3d x = p.position[i], f = forceOf(w, i);
+  const Vec3d x = p.position[i], f = forceOf(w.particles, w.scene, i);
   double g = speed2;
   if (failure == Failure::NotFinite && !std::isfinite(x.x + x.y + x.z + f.x + f.y + f.z)) g = never;
   if (failure == Failure::Density)

@@ -28,7 +28,7 @@ ForceTerms forceTerms(World& w, StepTools& t, std::size_t i) {
       velocity(p.velocity.data(), p.velocity.data() + p.size());
   const Ledger ledger = w.ledger;
   const Counters counters = w.counters;
-  Vec3d rest = forceOf(w, i);
+  Vec3d rest = forceOf(w.particles, w.scene, i);
   ForceTerms f;
   if (p.slot.active && p.slot[i] != noSlot && p.slot[i] < w.solids.owned) {
     f.elastic = length(w.solids.force[p.slot[i]]);

@@ -40,25 +40,27 @@ std::vector<Interpenetration> findInterpenetrations(World& w, Halos halos) {
   return found;
 }
 
-std::vector<Interpenetration> findObstacleInterpenetrations(const World& w, Reducer& all) {
-  const Oriented& o = w.oriented.rows;
-  const std::size_t walls = w.walls.list.size();
-  std::vector<std::int64_t> count(w.scene.oriented.size() * walls, 0);
+std::vector<Interpenetration> findObstacleInterpenetrations(const OrientedBodies& oriented,
+                                                            const Walls& walls, const Scene& scene,
+                                                            Reducer& all) {
+  const Oriented& o = oriented.rows;
+  const std::size_t wallCount = walls.list.size();
+  std::vector<std::int64_t> count(scene.oriented.size() * wallCount, 0);
   for (std::size_t i = 0; i < o.owned; i++) {
     if (o.flags[i] & fixedPosition) continue;
-    const double deep = inObstacle * spacingOf(w.scene, w.scene.oriented[o.body[i]]);
-    for (std::size_t k = 0; k < walls; k++) {
-      const Wall& wall = w.walls.list[k];
+    const double deep = inObstacle * spacingOf(scene, scene.oriented[o.body[i]]);
+    for (std::size_t k = 0; k < wallCount; k++) {
+      const Wall& wall = walls.list[k];
       if (!wall.present) continue;
       const Vec3d rest = toRest(wall.pose, o.position[i]);
-      count[o.body[i] * walls + wall.originalAt(k)] += nearBounds(wall.bounds, rest, 0) &&
-                                                       wall.shape->distanceWithin(rest, 2 * deep) < -deep;
+      count[o.body[i] * wallCount + wall.originalAt(k)] += nearBounds(wall.bounds, rest, 0) &&
+                                                           wall.shape->distanceWithin(rest, 2 * deep) < -deep;
     }
   }
   if (!count.empty()) all.sum(count);
   std::vector<Interpenetration> found;
   for (std::size_t k = 0; k < count.size(); k++)
-    if (count[k] > 0) found.push_back({k / walls, k % walls, count[k]});
+    if (count[k] > 0) found.push_back({k / wallCount, k % wallCount, count[k]});
   return found;
 }
 

@@ -22,6 +22,8 @@ std::vector<Interpenetration> findInterpenetrations(World& world, Halos halos);
 
 /// Returns free oriented particles more than a quarter of their spacing inside an obstacle (`body`: its wall
 /// number), drawn into it or initially there. Collective.
-std::vector<Interpenetration> findObstacleInterpenetrations(const World& world, Reducer& all);
+std::vector<Interpenetration> findObstacleInterpenetrations(const OrientedBodies& oriented,
+                                                            const Walls& walls, const Scene& scene,
+                                                            Reducer& all);
 
 }  // namespace thaw

@@ -123,15 +123,14 @@ double nextFactor(const MonitorState& s) {
   return std::min(std::ldexp(1.0, -static_cast<int>(s.halvings)), 1.1 * s.factor);
 }
 
-void acceptState(World& w, const LedgerReport& budget) {
-  MonitorState& s = w.watch;
-  s.snapshotStep = w.clock.step;
+void acceptState(MonitorState& s, const Clock& clock, const LedgerReport& budget) {
+  s.snapshotStep = clock.step;
   s.residual = budget.energyResidual;
   s.scale = budget.energyScale;
   s.largest = std::max(s.largest, budget.energyScale);
-  s.fullStep = fullStep(w.clock, s.factor);
+  s.fullStep = fullStep(clock, s.factor);
   if (s.halvings == 0 && s.requiredSnapshots == 1) return;
-  if (++s.snapshotsSinceChange < s.requiredSnapshots || w.clock.time < s.passed) return;
+  if (++s.snapshotsSinceChange < s.requiredSnapshots || clock.time < s.passed) return;
   s.snapshotsSinceChange = 0;
   if (s.halvings == 0) {
     s.requiredSnapshots /= 2;  // an old failure must not prolong the next one
@@ -143,22 +142,20 @@ void acceptState(World& w, const LedgerReport& budget) {
 
 bool mayRetry(const World& w, const MonitorLimits& b) {
   const Numerics& n = w.scene.numerics;
-  return n.retryEvery > 0 && w.watch.failures < n.retries && !retryTooShort(w, b);
+  return n.retryEvery > 0 && w.watch.failures < n.retries && !retryTooShort(w.watch, w.clock, b);
 }
 
-bool retryTooShort(const World& w, const MonitorLimits& b) {
-  return std::ldexp(w.watch.fullStep, -static_cast<int>(moreHalvings(w.watch, w.clock))) < b.step;
+bool retryTooShort(const MonitorState& watch, const Clock& clock, const MonitorLimits& b) {
+  return std::ldexp(watch.fullStep, -static_cast<int>(moreHalvings(watch, clock))) < b.step;
 }
 
-void halveStep(World& w, const MonitorState& failed, double failedAt) {
-  MonitorState& s = w.watch;
-  Clock& c = w.clock;
+void halveStep(MonitorState& s, Clock& c, const Scene& scene, const MonitorState& failed, double failedAt) {
   const double full = fullStep(c, s.factor);
   s.failures = failed.failures + 1;
   s.halvings = moreHalvings(failed, c);
   s.requiredSnapshots = std::min(2 * failed.requiredSnapshots, mostRequiredSnapshots);
   s.snapshotsSinceChange = 0;
-  const double stretch = static_cast<double>(w.scene.numerics.retryEvery) *
+  const double stretch = static_cast<double>(scene.numerics.retryEvery) *
                          std::min(full, longestUnlimitedStep(c));
   s.passed = std::max(failed.passed, failedAt + stretch);
   s.factor = std::min(s.factor, std::ldexp(1.0, -static_cast<int>(s.halvings)));

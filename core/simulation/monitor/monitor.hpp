@@ -43,17 +43,18 @@ double nextFactor(const MonitorState& watch);
 
 /// Accepts the state as a snapshot. After MonitorState::requiredSnapshots snapshots since the latest failure,
 /// and past the time MonitorState::passed, the step doubles and the number of counted failures decreases.
-void acceptState(World& world, const LedgerReport& budget);
+void acceptState(MonitorState& watch, const Clock& clock, const LedgerReport& budget);
 
 /// Returns true if a failed run may retry with half the step: not after Numerics::retries, and not with a
 /// step below MonitorLimits::step.
 bool mayRetry(const World& world, const MonitorLimits& bounds);
 /// Returns true if half the step is below MonitorLimits::step.
-bool retryTooShort(const World& world, const MonitorLimits& bounds);
+bool retryTooShort(const MonitorState& watch, const Clock& clock, const MonitorLimits& bounds);
 
 /// Halves the step after a rollback. failed: monitor state of the failed run; failedAt: its time (s). The
 /// step is counted from the time between frames if that is shorter. The failure counts as passed
 /// Numerics::retryEvery full steps after that time.
-void halveStep(World& world, const MonitorState& failed, double failedAt);
+void halveStep(MonitorState& watch, Clock& clock, const Scene& scene, const MonitorState& failed,
+               double failedAt);
 
 }  // namespace thaw

@@ -52,10 +52,9 @@ void copySurface(const Surface& from, Surface& to) {
   to.lastStep = from.lastStep;
 }
 
-void copyBodyTypes(const World& from, World& to) {
-  if (from.oriented.rows.id.active)
-    copyState(from.oriented.rows, to.oriented.rows, from.oriented.rows.owned, 0);
-  if (from.sheets.rows.id.active) copyState(from.sheets.rows, to.sheets.rows, from.sheets.rows.owned, 0);
+/// Copies the owned rows of a body type.
+template<class Rows> void copyOwned(const Rows& from, Rows& to) {
+  if (from.id.active) copyState(from, to, from.owned, 0);
 }
 
 }  // namespace
@@ -75,7 +74,8 @@ void takeSnapshot(const World& w, WorldSnapshot& good) {
   copyState(w.solids, kept.solids, w.solids.owned, w.solids.ghosts);
   kept.bonds = w.bonds;
   copySurface(w.surface, kept.surface);
-  copyBodyTypes(w, kept);
+  copyOwned(w.oriented.rows, kept.oriented.rows);
+  copyOwned(w.sheets.rows, kept.sheets.rows);
   copyLedRows(w.pieces, kept.pieces);
   copyLedger(w, kept);
 }
@@ -103,7 +103,8 @@ std::vector<std::byte> restoreSnapshot(const WorldSnapshot& good, World& w) {
   unpackState(good.particles, p);
   if (p.slot.active) std::fill_n(p.slot.data(), p.owned, noSlot);
   copySurface(kept.surface, w.surface);
-  copyBodyTypes(kept, w);
+  copyOwned(kept.oriented.rows, w.oriented.rows);
+  copyOwned(kept.sheets.rows, w.sheets.rows);
   copyLedRows(kept.pieces, w.pieces);
   copyLedger(kept, w);
   SolidRecords records;

@@ -18,7 +18,7 @@ namespace thaw {
 namespace {
 
 constexpr double restForce = 1e-9;  // in units of stiffness times spacing
-constexpr int patience = 5;
+constexpr int downhillSteps = 5;
 
 struct Sums {
   double power, force, speed;
@@ -150,7 +150,7 @@ void steer(Oriented& o, const RelaxationForces& f, Fire& fire, Reducer& all) {
     o.velocity[i] = (1 - fire.mixing) * o.velocity[i] + (mix / o.mass[i]) * f.force[i];
     o.spin[i] = (1 - fire.mixing) * o.spin[i] + (mix / o.inertia[i]) * f.torque[i];
   }
-  if (++fire.positive > patience) {
+  if (++fire.positive > downhillSteps) {
     fire.stepFactor = std::min(fire.stepFactor * 1.1, 6.0);
     fire.mixing *= 0.99;
   }

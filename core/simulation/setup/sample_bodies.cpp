@@ -41,9 +41,9 @@ void checkSample(const World& w, std::size_t body, const Vec3d& x, MisplacedSamp
   }
 }
 
-/// Parameters for filling a body: its lattice, its centre, and the largest offset of points along each axis,
+/// Lattice of a body's particles, its centre, and the largest offset of points along each axis,
 /// in spacings.
-struct Filling {
+struct BodyLattice {
   SampleLattice lattice;
   Vec3d centre;
   double jitter;
@@ -51,9 +51,9 @@ struct Filling {
 
 /// Fills the rows from `first` on with these points of body b's lattice. inEach: number of particles in each
 /// clamp, incremented.
-void fillRows(World& w, std::size_t b, const Filling& filling, std::span<const std::int64_t> points,
+void fillRows(World& w, std::size_t b, const BodyLattice& lattice, std::span<const std::int64_t> points,
               std::size_t first, std::vector<std::int64_t>& inEach) {
-  const auto& [l, centre, jitter] = filling;
+  const auto& [l, centre, jitter] = lattice;
   const Scene& s = w.scene;
   const Body& body = s.bodies[b];
   const Material& m = s.materials[static_cast<std::size_t>(body.material)];

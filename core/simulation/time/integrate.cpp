@@ -14,10 +14,9 @@ namespace {
 
 /// Records the impulses of walls, and of the weight of entered and left mass, over half a kick, as applied to
 /// particles.
-void recordImpulses(World& w, double half) {
-  Ledger& l = w.ledger;
+void recordImpulses(Ledger& l, const Scene& scene, double half) {
   for (int a = 0; a < 3; a++) {
-    const double g = w.scene.domain.gravity[a] * half;
+    const double g = scene.domain.gravity[a] * half;
     l.wallImpulse[a].addProduct(l.wallForce[a], half);
     if (g == 0) continue;
     l.gravityImpulse[a].addProduct(l.entered.mass, g);
@@ -27,15 +26,14 @@ void recordImpulses(World& w, double half) {
 
 }  // namespace
 
-Vec3d forceOf(const World& w, std::size_t i) {
-  const Continuum& p = w.particles;
-  return p.force.shares() ? (p.acceleration[i] - w.scene.domain.gravity) * p.mass[i] : p.force[i];
+Vec3d forceOf(const Continuum& p, const Scene& scene, std::size_t i) {
+  return p.force.shares() ? (p.acceleration[i] - scene.domain.gravity) * p.mass[i] : p.force[i];
 }
 
 bool kickAndDrift(World& w, double dt, std::span<const RowSpan> rows) {
   Continuum& p = w.particles;
   const double half = 0.5 * dt;
-  recordImpulses(w, half);
+  recordImpulses(w.ledger, w.scene, half);
   const double lessFast = 1.0 / w.clock.substeps - 1;  // fast forces act for half a substep
   const bool shifted = p.shiftingVelocity.active, carried = w.modules.continuity,
              substeps = w.clock.substeps > 1;
@@ -72,7 +70,7 @@ bool finishKick(World& w, double dt, std::span<const RowSpan> rows, std::size_t*
   bool finite = true;
   double fastest = 0, hardest = 0;
   const bool fast = p.fastAcceleration.active;
-  recordImpulses(w, half);
+  recordImpulses(w.ledger, w.scene, half);
   const Vec3d* const force = p.force.data();
   std::size_t behind = p.owned;  // rows from here on are done
   const auto rest = [&](std::size_t from) {

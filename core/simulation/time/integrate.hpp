@@ -23,6 +23,6 @@ bool finishKick(World& world, double dt, std::span<const RowSpan> rows, std::siz
 
 /// Returns the total force (N) of the last kick on an owned particle, without weight. Valid between steps,
 /// where Continuum::force may hold the acceleration.
-Vec3d forceOf(const World& world, std::size_t row);
+Vec3d forceOf(const Continuum& particles, const Scene& scene, std::size_t row);
 
 }  // namespace thaw

@@ -147,9 +147,8 @@ namespace {
 /// Largest viscosity (Pa s) of owned particles of a material with a table or a flow law. Single particles
 /// count, since the pairs of a rank depend on the partition. A small change of the rate changes the stress
 /// of a flow law by d stress / d rate, up to n times the viscosity.
-double largestViscosityHere(const World& w, std::size_t material) {
-  const Continuum& p = w.particles;
-  const Material& m = w.scene.materials[material];
+double largestViscosityHere(const Continuum& p, const Scene& scene, std::size_t material) {
+  const Material& m = scene.materials[material];
   double mu = 0;
   for (std::size_t i = 0; i < p.owned; i++)
     if (p.material[i] == material && (p.phase[i] == Liquid || (p.liquid.active && p.liquid[i] > 0)))
@@ -204,7 +203,7 @@ StepLimits particleLimits(const World& w, const LargestRates& largest, double st
   for (std::size_t k = 0; k < w.scene.materials.size(); k++) {
     const Material& m = w.scene.materials[k];
     if (hasOneViscosity(m) || w.modules.implicitViscosity) continue;
-    double mu = largestViscosityHere(w, k);
+    double mu = largestViscosityHere(w.particles, w.scene, k);
     if (mu > 0) mu = viscosityOfStep(w.scene, k, mu);
     if (mu > 0)
       l[Limit::Viscous] = std::min(l[Limit::Viscous], viscousFactor(n, w.modules) * stableViscousStep * h *
@@ -213,14 +212,13 @@ StepLimits particleLimits(const World& w, const LargestRates& largest, double st
   return l;
 }
 
-double soundStiffening(const World& w) {
-  if (w.scene.numerics.eos != EquationOfState::Tait || !w.modules.fluid || w.modules.incompressible) return 1;
-  const Continuum& p = w.particles;
+double soundStiffening(const Scene& scene, const Modules& modules, const Continuum& p) {
+  if (scene.numerics.eos != EquationOfState::Tait || !modules.fluid || modules.incompressible) return 1;
   float most = 1;
   for (std::size_t i = 0; i < p.owned; i++)
     if (p.relativeDensity[i] > most && (p.phase[i] == Liquid || (p.liquid.active && p.liquid[i] > 0)))
       most = p.relativeDensity[i];
-  return soundSpeedFactor(w.scene.numerics.eos, static_cast<double>(most));
+  return soundSpeedFactor(scene.numerics.eos, static_cast<double>(most));
 }
 
 double fastAccelerationLimit(const World& w) {

@@ -35,7 +35,7 @@ StepLimits particleLimits(const World& world, const LargestRates& largest, doubl
 
 /// Returns the largest ratio of the sound speed to that at rest in this rank's compressed liquid, at least 1;
 /// it divides the sound limit of the materials. 1 with the linear equation of state.
-double soundStiffening(const World& world);
+double soundStiffening(const Scene& scene, const Modules& modules, const Continuum& particles);
 
 /// Returns the acceleration limit (s) of a substep by the forces that act in substeps, for this rank's
 /// particles. particleLimits excludes these forces.

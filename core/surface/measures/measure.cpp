@@ -179,17 +179,18 @@ void addRows(const Surface& s, const Group& g, const std::vector<std::uint32_t>&
     if (const double frozen = frozenShare(f, i); frozen > 0) sum[PlainArea].add(frozen * f.area[i]);
     if (liesOnWall(f, i)) sum[HeldArea].add(f.area[i]);
     for (int a = 0; a < 3; a++) {
-      sum[static_cast<std::size_t>(VolumeX + a)].add(d[a] * facets[a] + f.bulge[i]);
-      sum[static_cast<std::size_t>(MixedX + a)].add(d[next(a)] * facets[last(a)] +
-                                                    d[last(a)] * facets[next(a)]);
-      sum[static_cast<std::size_t>(NormalX + a)].add(facets[a]);
+      const auto c = static_cast<std::size_t>(a);
+      sum[VolumeX + c].add(d[a] * facets[a] + f.bulge[i]);
+      sum[MixedX + c].add(d[next(a)] * facets[last(a)] + d[last(a)] * facets[next(a)]);
+      sum[NormalX + c].add(facets[a]);
     }
     if (f.rim[i] > 0) {
       sum[Rim].add(f.rim[i]);
       for (int a = 0; a < 3; a++) {
-        sum[static_cast<std::size_t>(RimX + a)].add(f.rim[i] * d[a]);
-        sum[static_cast<std::size_t>(RimXX + a)].add(f.rim[i] * d[a] * d[a]);
-        sum[static_cast<std::size_t>(RimYZ + a)].add(f.rim[i] * d[next(a)] * d[last(a)]);
+        const auto c = static_cast<std::size_t>(a);
+        sum[RimX + c].add(f.rim[i] * d[a]);
+        sum[RimXX + c].add(f.rim[i] * d[a] * d[a]);
+        sum[RimYZ + c].add(f.rim[i] * d[next(a)] * d[last(a)]);
       }
     }
   }

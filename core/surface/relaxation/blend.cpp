@@ -48,21 +48,21 @@ void blendSurfels(Surfels& s) {
   if (!s.carriedNormal.active) return;
   s.resize(s.owned, 0);
   for (std::size_t i = 0; i < s.owned; i++) {
-    const Vec3d before = s.carriedNormal[i], settled = s.normal[i];
+    const Vec3d before = s.carriedNormal[i], relaxed = s.normal[i];
     if (dot(before, before) == 0) {  // born in this update
       s.resampleMargin[i] = 0;
       continue;
     }
     const double b = std::clamp(static_cast<double>(s.liquid[i]), 0.0, 1.0);
     Vec3d move = s.position[i] - s.carried[i];
-    const double height = -dot(move, settled);
+    const double height = -dot(move, relaxed);
     RelaxationStep way;
     if (b > 0) way = relaxationStepOf(s, i, b, height);
     else if (s.maxLiquidFraction.active) s.maxLiquidFraction[i] = s.detailHeight[i] = 0;
     if (b < 1) {
-      move = way.share * (move + height * settled) - way.down * settled;
+      move = way.share * (move + height * relaxed) - way.down * relaxed;
       s.position[i] = s.carried[i] + move;
-      const Vec3d n = (1 - way.share) * before + way.share * settled;
+      const Vec3d n = (1 - way.share) * before + way.share * relaxed;
       const double size = length(n);
       // Opposite normals have no mean.
       s.normal[i] = size > 1e-6 ? n / size : before;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sampling density around a surfel: crowding and gaps.
+// Sampling density around a surfel: surplus and gaps.
 #pragma once
 #include <algorithm>
 #include <optional>

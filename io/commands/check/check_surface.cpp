@@ -37,11 +37,10 @@ constexpr std::int64_t few = 500;
 
 /// Turns everything that can be liquid into liquid and moves it as between two updates. Displacements are up
 /// to 0.1 support radii, with a period of four.
-void meltWorld(World& w) {
-  Continuum& p = w.particles;
-  const double h = w.grid.support, k = 0.5 * pi / h;
+void meltWorld(Continuum& p, const CellGrid& grid, const Scene& scene) {
+  const double h = grid.support, k = 0.5 * pi / h;
   for (std::size_t i = 0; i < p.owned; i++) {
-    const Material& m = w.scene.materials[p.material[i]];
+    const Material& m = scene.materials[p.material[i]];
     if (m.canBeSolid() && !m.melts() && !m.liquidAtStart) continue;
     p.phase[i] = Liquid;
     if (p.liquid.active) p.liquid[i] = 1;
@@ -97,7 +96,7 @@ void SurfaceTrial::update() {
   MpiReducer(comm_).sum({&surfels_, 1});
   each_ = flowing_ = timeOfUpdate();
   if (!world_.modules.fluid) return;
-  meltWorld(world_);
+  meltWorld(world_.particles, world_.grid, world_.scene);
   flowing_ = timeOfUpdate();
 }
 
@@ -126,7 +125,7 @@ SurfaceTrial::Forecast SurfaceTrial::forecast(double steps, double particles) co
     f.bytes = perMeasured_ * static_cast<double>(bytes) * std::max(1.0, f.surfelsTogether / f.surfels);
   else f.bytes = static_cast<double>(bytes) + bytesPerSurfel * f.surfelsTogether;
   f.frames = std::floor(w.scene.end / w.scene.output.every) + 1;
-  f.updates = expectedUpdates(w, steps);
+  f.updates = expectedUpdates(w.scene, w.grid, steps);
   const double perSurfel = surfels_ > few ? times[1] * comm_.size() / static_cast<double>(surfels_)
                                           : secondsPerSurfel,
                start = perMeasured_ * times[0] * comm_.size();
@@ -177,12 +176,11 @@ std::vector<std::string> SurfaceTrial::lines(const Forecast& f, int ranks) const
   return lines;
 }
 
-double expectedUpdates(const World& w, double steps) {
-  const SurfaceSettings& s = w.scene.surface;
-  double updates = std::floor(w.scene.end / w.scene.output.every) + 1;
+double expectedUpdates(const Scene& scene, const CellGrid& grid, double steps) {
+  const SurfaceSettings& s = scene.surface;
+  double updates = std::floor(scene.end / scene.output.every) + 1;
   if (s.everySteps > 0) updates += steps / static_cast<double>(s.everySteps);
-  else if (s.everyMove > 0)
-    updates += 0.5 * expectedSpeed(w.scene) * w.scene.end / (s.everyMove * w.grid.support);
+  else if (s.everyMove > 0) updates += 0.5 * expectedSpeed(scene) * scene.end / (s.everyMove * grid.support);
   return std::min(updates, steps + 1);
 }
 

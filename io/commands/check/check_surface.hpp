@@ -51,6 +51,6 @@ class SurfaceTrial {
 
 /// Returns the expected number of surface updates of a run: one at each frame, and others by the settings of
 /// the scene. Particles move at half the largest expected speed.
-double expectedUpdates(const World& world, double steps);
+double expectedUpdates(const Scene& scene, const CellGrid& grid, double steps);
 
 }  // namespace thaw

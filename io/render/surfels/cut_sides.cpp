@@ -164,7 +164,7 @@ class CapMaker {
       if (seen[start] || !std::isnan(value_[start])) continue;
       std::vector<std::size_t> region{start};
       seen[start] = 1;
-      std::int64_t votes = 0;
+      std::int64_t insideExcess = 0;
       bool open = false;
       for (std::size_t k = 0; k < region.size(); k++) {
         const auto at = static_cast<std::int64_t>(region[k]);
@@ -178,11 +178,11 @@ class CapMaker {
             continue;
           }
           const std::size_t next = index(n[0], n[1]);
-          if (!std::isnan(value_[next]) && !seen[next]) votes += value_[next] < 0 ? 1 : -1;
+          if (!std::isnan(value_[next]) && !seen[next]) insideExcess += value_[next] < 0 ? 1 : -1;
           else if (!seen[next]) seen[next] = 1, region.push_back(next);
         }
       }
-      for (const std::size_t c : region) value_[c] = (open || votes <= 0 ? 1 : -1) * cell_;
+      for (const std::size_t c : region) value_[c] = (open || insideExcess <= 0 ? 1 : -1) * cell_;
     }
   }
 

@@ -19,7 +19,7 @@ struct SprayStyle {
   double exposure = 0;  ///< s, time of motion that stretches drops
 };
 
-/// A component of at most two particles, judged by the volume of the ball through its surfels.
+/// A component of at most two particles, estimated from the volume of the ball through its surfels.
 struct SprayDrop {
   std::uint64_t component = 0;
   std::vector<std::uint32_t> rows;

@@ -114,8 +114,8 @@ void gatherSummary(RunSummary& s, const World& w, const PhaseTimes& times,
   s.title = w.scene.title;
 }
 
-Counters sumOfCounters(const World& w, Reducer& all) {
-  Counters counters = w.counters;
+Counters sumOfCounters(const Counters& own, Reducer& all) {
+  Counters counters = own;
   std::vector<std::int64_t> sum;
   for (const NamedCount& c : countsOf(counters)) sum.push_back(*c.count);
   all.sum(sum);

@@ -47,7 +47,7 @@ inline constexpr const char* summaryName = "summary.json";
 inline constexpr const char* refusedName = "summary.refused.json";
 
 /// Returns the counters of all ranks together. Collective.
-Counters sumOfCounters(const World& world, Reducer& all);
+Counters sumOfCounters(const Counters& own, Reducer& all);
 
 /// Writes OUT/NAME and replaces the old file at once. One process only. Throws IoError.
 void writeSummary(const std::string& out, const RunSummary& summary, const std::string& name = summaryName);

@@ -47,11 +47,11 @@ std::string eventLogPath(const std::string& out) { return out + "/events.csv"; }
 
 void beginComponentLog(const std::string& out) { replaceTextFile(componentLogPath(out), head); }
 
-void addToComponentLog(const std::string& out, const World& w) {
+void addToComponentLog(const std::string& out, const Surface& surface, const Clock& clock) {
   std::string lines;  // numbers have as many digits as make them unique
-  for (const SurfaceComponent& c : w.surface.components)
-    lines += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", w.clock.frame, w.clock.step,
-                         w.clock.time, c.label, c.particles, c.surfels, c.mass, c.particleVolume, c.volume,
+  for (const SurfaceComponent& c : surface.components)
+    lines += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", clock.frame, clock.step,
+                         clock.time, c.label, c.particles, c.surfels, c.mass, c.particleVolume, c.volume,
                          c.area, c.centroid.x, c.centroid.y, c.centroid.z, c.wantedVolume, c.open);
   std::ofstream file(componentLogPath(out), std::ios::app);
   file << lines;

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/simulation/world/world.hpp"
+#include "core/surface/data/surface.hpp"
+#include "core/time/clock.hpp"
 #include "io/run/reports/volume_held.hpp"
 
 namespace thaw {
@@ -17,7 +18,7 @@ std::string eventLogPath(const std::string& out);
 void beginComponentLog(const std::string& out);
 
 /// Adds the lines of the current frame (Clock::frame).
-void addToComponentLog(const std::string& out, const World& world);
+void addToComponentLog(const std::string& out, const Surface& surface, const Clock& clock);
 
 /// Drops lines after `step` and an incomplete last line, at a rollback or restart. Starts a missing log anew.
 /// Returns the volume errors of the remaining frames. Lines of earlier versions lack the target volume; that

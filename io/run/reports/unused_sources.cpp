@@ -7,10 +7,9 @@
 
 namespace thaw {
 
-std::vector<std::string> unusedSourceLines(const World& w, Reducer& all) {
-  const std::vector<SourceUse>& use = w.ledger.sourceUse;
+std::vector<std::string> unusedSourceLines(const Ledger& ledger, const Scene& s, Reducer& all) {
+  const std::vector<SourceUse>& use = ledger.sourceUse;
   std::vector<std::string> lines;
-  const Scene& s = w.scene;
   // Sources that a restart changed have no entries before the first step.
   if (use.size() != s.lamps.size() + s.lasers.size() + s.heatedRegions.size()) return lines;
   std::vector<std::int64_t> absorbed;

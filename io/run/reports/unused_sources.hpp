@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "core/halo/halo.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/ledger/ledger.hpp"
+#include "core/scene/scene.hpp"
 
 namespace thaw {
 
 /// Returns a warning for each source that has given energy since the start of the run, and of which no
 /// particle has absorbed any. The same on any number of ranks. Collective.
-std::vector<std::string> unusedSourceLines(const World& world, Reducer& all);
+std::vector<std::string> unusedSourceLines(const Ledger& ledger, const Scene& scene, Reducer& all);
 
 }  // namespace thaw

@@ -313,7 +313,7 @@ void readOriented(TableReader& r, OrientedBody& b, SceneReading& x) {
            "distance of neighbours (spacings) above which a particle is added between them");
   r.number("crowd", b.crowd, "", between(0, 0.95),
            "distance (spacings) below which one of two particles is removed; 0: never");
-  r.whole("every", b.every, 1, 100000, "steps between checks of gaps, borders and crowding");
+  r.whole("every", b.every, 1, 100000, "steps between checks of gaps, borders and surplus particles");
   r.whole("most", b.most, 1, INT64_C(1) << 32, "number of particles at which this body stops growing");
   r.tables("anchor", "constrains the particles that are in its SHAPE at the start", b.anchors, readAnchor);
   r.tables("field",

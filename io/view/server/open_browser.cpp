@@ -3,12 +3,11 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <unistd.h>
 
 #include <array>
 #include <csignal>
 #include <cstdlib>
-
-extern char** environ;
 
 namespace thaw {
 

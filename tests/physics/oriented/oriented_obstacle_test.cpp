@@ -194,7 +194,8 @@ std::int64_t mostInAPost(double overBarrier, std::int64_t& reported) {
       in += x.w.walls.list[0].shape->inside(x.w.oriented.rows.position[i]);
     most = std::max(most, in);
     if (x.w.clock.step % 20 == 0)
-      for (const Interpenetration& f : findObstacleInterpenetrations(x.w, x.all))
+      for (const Interpenetration& f :
+           findObstacleInterpenetrations(x.w.oriented, x.w.walls, x.w.scene, x.all))
         reported = std::max(reported, f.count);
   }
   EXPECT_LT(std::abs(x.ledgerReport().energyResidual), 0.02 * x.ledgerReport().energyScale);

@@ -23,7 +23,7 @@ struct Plane : SignedDistance {
   Bounds bounds() const override { return {{-never, -never, -never}, {never, never, never}}; }
 };
 
-double fillingBeside(std::initializer_list<Plane> planes) {
+double densityBeside(std::initializer_list<Plane> planes) {
   WallRig r;
   for (const Plane& p : planes) r.add(std::make_shared<Plane>(p));
   r.addParticle({0, 0, 0}, {}, Liquid);
@@ -35,27 +35,27 @@ double fillingBeside(std::initializer_list<Plane> planes) {
 
 }  // namespace
 
-TEST(WallFilling, CoincidingWallsCountOnce) {
+TEST(WallRelativeDensity, CoincidingWallsCountOnce) {
   const Plane floor({0, 0, 1}, -0.05), left({1, 0, 0}, -0.05), back({0, 1, 0}, -0.05),
       ceiling({0, 0, -1}, -0.05), same({0, 0, 1}, -0.05), behind({0, 0, 1}, -0.12);
-  const double one = fillingBeside({floor});
-  EXPECT_NEAR(fillingBeside({floor, left}), 1 - (1 - one) * (1 - one), 1e-6);
-  EXPECT_NEAR(fillingBeside({floor, left, back}), 1 - std::pow(1 - one, 3), 2e-6);
-  EXPECT_NEAR(fillingBeside({floor, ceiling}), 2 * one, 1e-6);
-  EXPECT_NEAR(fillingBeside({floor, same}), one, 1e-6);
-  EXPECT_NEAR(fillingBeside({floor, behind}), one, 1e-6);
+  const double one = densityBeside({floor});
+  EXPECT_NEAR(densityBeside({floor, left}), 1 - (1 - one) * (1 - one), 1e-6);
+  EXPECT_NEAR(densityBeside({floor, left, back}), 1 - std::pow(1 - one, 3), 2e-6);
+  EXPECT_NEAR(densityBeside({floor, ceiling}), 2 * one, 1e-6);
+  EXPECT_NEAR(densityBeside({floor, same}), one, 1e-6);
+  EXPECT_NEAR(densityBeside({floor, behind}), one, 1e-6);
   // The shared part of two walls is a fraction of each one's contribution. The sum deviates slightly from one
   // wall, since the contribution is not linear in it.
-  EXPECT_NEAR(fillingBeside({behind, floor}), one, 0.01 * one);
-  EXPECT_NEAR(fillingBeside({behind, floor, left}), fillingBeside({floor, left}), 0.01 * one);
+  EXPECT_NEAR(densityBeside({behind, floor}), one, 0.01 * one);
+  EXPECT_NEAR(densityBeside({behind, floor, left}), densityBeside({floor, left}), 0.01 * one);
 }
 
 // Two planes at any angle through the particle leave out angle / 2 pi. One alone contributes a fraction t of
 // the half-space.
-TEST(WallFilling, FollowsTheAngleBetweenWalls) {
-  const double one = fillingBeside({Plane({0, 0, 1}, 0)});
+TEST(WallRelativeDensity, FollowsTheAngleBetweenWalls) {
+  const double one = densityBeside({Plane({0, 0, 1}, 0)});
   for (double angle : {0.3, 1.0, 2.0, 2.9}) {
-    const double both = fillingBeside({Plane({0, 0, 1}, 0), Plane({std::sin(angle), 0, std::cos(angle)}, 0)});
+    const double both = densityBeside({Plane({0, 0, 1}, 0), Plane({std::sin(angle), 0, std::cos(angle)}, 0)});
     EXPECT_NEAR(both, one * (1 + angle / std::numbers::pi), 0.12 * one) << angle;
   }
 }

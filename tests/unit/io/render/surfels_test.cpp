@@ -48,7 +48,7 @@ bool meetsBody(const Field& field, const RenderStyle& style, int x, int y) {
 
 /// Background pixels enclosed by the body, which a flood fill from the border does not reach. Surfels are
 /// painted red. With a field, pixels whose rays pass beside the body are gaps of its outline.
-int holesIn(const SurfelSamples& s, RenderStyle style, const Field& field = {}) {
+int holesIn(const SurfelSamples& s, const RenderStyle& style, const Field& field = {}) {
   const std::vector<Rgb> red(s.size(), Rgb{255, 0, 0});
   const Image image = renderSurfels(inputOf(s, red), style, {SurfelPaint::Surface}),
               none = renderSurfels({}, style, {});

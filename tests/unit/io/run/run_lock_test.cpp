@@ -53,7 +53,7 @@ TEST_F(RunLockOf, LiveHolderIsNamedAndTheEndRemovesTheLock) {
     EXPECT_EQ(lock.take({.out = out, .ranks = 3}), "");
     EXPECT_TRUE(onlyTheLock());
     for (const bool force : {false, true})
-      EXPECT_NE(error({.out = out, .force = force, .patience = 0})
+      EXPECT_NE(error({.out = out, .force = force, .waitTime = 0})
                     .find("another run uses this folder: process " + std::to_string(::getpid())),
                 std::string::npos);
     EXPECT_EQ(lockHolder(out)->ranks, 3);
@@ -71,7 +71,7 @@ TEST_F(RunLockOf, ADeadHolderIsReplaced) {
   for (const Json& j : {lockOf(child, 1), lockOf(::getpid(), ownProcess().began - 1)}) {
     leave(j);
     RunLock lock;
-    const std::string note = lock.take({.out = out, .patience = 0});
+    const std::string note = lock.take({.out = out, .waitTime = 0});
     EXPECT_NE(note.find("(4 ranks, since 2030-01-02T03:04:05Z) has ended"), std::string::npos) << note;
     EXPECT_EQ(lockHolder(out)->process.began, ownProcess().began);
     EXPECT_TRUE(onlyTheLock());
@@ -83,10 +83,10 @@ TEST_F(RunLockOf, AnotherHostsLockNeedsForce) {
        {lockOf(1, 1, "elsewhere").dump(), std::string("{ \"host\":"), std::string()}) {
     fs::create_directories(out);
     std::ofstream(file) << text;
-    EXPECT_NE(error({.out = out, .patience = 0}).find("--force"), std::string::npos) << text;
+    EXPECT_NE(error({.out = out, .waitTime = 0}).find("--force"), std::string::npos) << text;
     EXPECT_TRUE(fs::exists(file)) << "a refused start leaves the lock";
     RunLock lock;
-    EXPECT_NE(lock.take({.out = out, .force = true, .patience = 0}).find("(--force)"), std::string::npos);
+    EXPECT_NE(lock.take({.out = out, .force = true, .waitTime = 0}).find("(--force)"), std::string::npos);
   }
 }
 
@@ -119,7 +119,7 @@ TEST_F(RunLockOf, OneOfSimultaneousStartsGetsTheFolder) {
       [[maybe_unused]] const auto began = ::read(go[0], &c, 1);  // blocks until the parent closes the pipe
       RunLock lock;
       try {
-        lock.take({.out = out, .patience = 0.2});
+        lock.take({.out = out, .waitTime = 0.2});
       } catch (const IoError&) { ::_exit(1); }
       [[maybe_unused]] const auto held = ::read(stay[0], &c, 1);
       lock.release();

@@ -304,7 +304,7 @@ TEST(ReduceContacts, TheOutlineIsTheSameOnAnyRanks) {
         f.contact.normal = {0, 0, -1};
         f.contact.armA = {0.1 * i, 0.1 * j, 0};
         f.contact.gap = i == 3 && j == 4 ? -0.01 : 0;
-        f.contact.keyA = static_cast<std::uint64_t>(100 * i + j);
+        f.contact.keyA = 100 * static_cast<std::uint64_t>(i) + static_cast<std::uint64_t>(j);
         f.contact.keyB = partner;
         patch.push_back(f);
       }

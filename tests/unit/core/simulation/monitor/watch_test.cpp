@@ -15,27 +15,27 @@ TEST(Watch, FailureHalvesTheStepAndItGrowsBack) {
   World w;
   w.clock.dt = 0.4;
   w.clock.end = 1000;
-  acceptState(w, {});
+  acceptState(w.watch, w.clock, {});
   EXPECT_EQ(w.watch.fullStep, 0.4);
   EXPECT_EQ(nextFactor(w.watch), 1);
   MonitorState failed = w.watch;
-  halveStep(w, failed, 0);
+  halveStep(w.watch, w.clock, w.scene, failed, 0);
   EXPECT_EQ(w.clock.dt, 0.2);
   EXPECT_EQ(w.watch.factor, 0.5);
   EXPECT_EQ(w.watch.failures, 1);
   failed = w.watch;
   w.clock.dt = 0.4;  // rollback
   w.watch = {};
-  halveStep(w, failed, 5);
+  halveStep(w.watch, w.clock, w.scene, failed, 5);
   EXPECT_EQ(w.clock.dt, 0.1);
   EXPECT_EQ(w.watch.failures, 2);
   EXPECT_EQ(w.watch.requiredSnapshots, 4);
   EXPECT_EQ(w.watch.passed, 5 + 0.4 * static_cast<double>(w.scene.numerics.retryEvery));
   w.clock.time = w.watch.passed;
-  for (int good = 0; good < 3; good++) acceptState(w, {});
+  for (int good = 0; good < 3; good++) acceptState(w.watch, w.clock, {});
   EXPECT_EQ(w.watch.failures, 2);
   EXPECT_EQ(nextFactor(w.watch), 0.25) << "not yet";
-  acceptState(w, {});
+  acceptState(w.watch, w.clock, {});
   EXPECT_EQ(w.watch.halvings, 1);
   EXPECT_EQ(w.watch.failures, 1) << "one retry fewer counts";
   for (int step = 0; step < 7; step++) {
@@ -45,7 +45,7 @@ TEST(Watch, FailureHalvesTheStepAndItGrowsBack) {
   }
   w.watch.factor = nextFactor(w.watch);
   EXPECT_EQ(w.watch.factor, 0.5) << "eight steps of a tenth";
-  for (int good = 0; good < 100; good++) acceptState(w, {});
+  for (int good = 0; good < 100; good++) acceptState(w.watch, w.clock, {});
   EXPECT_EQ(w.watch.halvings, 0);
   EXPECT_EQ(w.watch.failures, 0);
   EXPECT_EQ(w.watch.requiredSnapshots, 1) << "all failures are forgiven";
@@ -58,21 +58,21 @@ TEST(Watch, SnapshotsBeforeAFailureDoNotForgiveIt) {
   w.clock.dt = 1;
   w.clock.end = 1000;
   w.scene.numerics.retryEvery = 10;
-  acceptState(w, {});
+  acceptState(w.watch, w.clock, {});
   constexpr double failsAt = 7;
   std::int64_t tries = 0;
   for (; mayRetry(w, b) && tries < 100; tries++) {
     const double before = w.clock.time;
-    halveStep(w, w.watch, failsAt);
+    halveStep(w.watch, w.clock, w.scene, w.watch, failsAt);
     for (int good = 0; good < 1000; good++) {  // all the way to the failure
       w.clock.time = before + (failsAt - before) * good / 1000;
-      acceptState(w, {});
+      acceptState(w.watch, w.clock, {});
     }
   }
   EXPECT_EQ(tries, w.scene.numerics.retries);
   EXPECT_EQ(w.watch.halvings, w.scene.numerics.retries);
   w.clock.time = failsAt + 10;  // past it by the time of retry_every full steps
-  for (int good = 0; good < 64; good++) acceptState(w, {});
+  for (int good = 0; good < 64; good++) acceptState(w.watch, w.clock, {});
   EXPECT_TRUE(mayRetry(w, b));
 }
 
@@ -81,22 +81,22 @@ TEST(Watch, NoRetryTakesAStepBelowTheLimit) {
   MonitorLimits b;
   b.step = 0.2;
   w.clock.dt = 1;
-  acceptState(w, {});
+  acceptState(w.watch, w.clock, {});
   EXPECT_TRUE(mayRetry(w, b));
-  halveStep(w, w.watch, 0);
+  halveStep(w.watch, w.clock, w.scene, w.watch, 0);
   EXPECT_TRUE(mayRetry(w, b)) << "0.25 s";
-  halveStep(w, w.watch, 0);
+  halveStep(w.watch, w.clock, w.scene, w.watch, 0);
   EXPECT_EQ(w.clock.dt, 0.25);
   EXPECT_FALSE(mayRetry(w, b)) << "0.125 s";
-  EXPECT_TRUE(retryTooShort(w, b));
+  EXPECT_TRUE(retryTooShort(w.watch, w.clock, b));
 }
 
 TEST(Watch, HalvesStepsCutByFrames) {
   World w;
   w.clock.dt = 1;
   w.clock.every = 0.3;
-  acceptState(w, {});
-  halveStep(w, w.watch, 0);
+  acceptState(w.watch, w.clock, {});
+  halveStep(w.watch, w.clock, w.scene, w.watch, 0);
   EXPECT_EQ(w.clock.dt, 0.125) << "half of the first power of two below 0.3";
 }
 
@@ -106,18 +106,18 @@ TEST(Watch, HalvesTheFrameIntervalWithoutAStepLimit) {
   World w;
   w.clock.dt = never;
   w.clock.every = 0.3;
-  acceptState(w, {});
-  halveStep(w, w.watch, 0);
+  acceptState(w.watch, w.clock, {});
+  halveStep(w.watch, w.clock, w.scene, w.watch, 0);
   EXPECT_EQ(w.clock.dt, 0.15);
   EXPECT_EQ(w.watch.halvings, 1);
   const MonitorState failed = w.watch;
   w.clock.dt = never;
   w.watch = {};
-  halveStep(w, failed, 0);
+  halveStep(w.watch, w.clock, w.scene, failed, 0);
   EXPECT_EQ(w.clock.dt, 0.075);
   MonitorState often;
   often.halvings = 100;
-  halveStep(w, often, 0);
+  halveStep(w.watch, w.clock, w.scene, often, 0);
   EXPECT_LT(w.watch.halvings, 63) << "the message has 1 << halvings";
 }
 
@@ -191,7 +191,7 @@ TEST(Watch, FindsSlowlyGrowingUnexplainedEnergy) {
   for (int good = 0; good < 10; good++) {  // half a joule each time, which is little of 200 J
     budget.energyResidual = 0.5 * good;
     EXPECT_EQ(checkEnergyBudget(w, b, budget, all), Failure::None) << good;
-    acceptState(w, budget);
+    acceptState(w.watch, w.clock, budget);
   }
   EXPECT_EQ(w.watch.largest, 10);
   budget.energyScale = 1;  // the largest earlier scale counts

@@ -246,13 +246,13 @@ TEST(StepLimits, SoundFollowsCompressionWithTait) {
   p.resize(3, 0);
   for (std::size_t i = 0; i < 3; i++)
     p.phase[i] = Liquid, p.liquid[i] = 1, p.relativeDensity[i] = 1 + 0.5f * static_cast<float>(i);
-  EXPECT_EQ(soundStiffening(w), 1);
+  EXPECT_EQ(soundStiffening(w.scene, w.modules, w.particles), 1);
   w.scene.numerics.eos = EquationOfState::Tait;
-  EXPECT_DOUBLE_EQ(soundStiffening(w), 8);
+  EXPECT_DOUBLE_EQ(soundStiffening(w.scene, w.modules, w.particles), 8);
   p.phase[2] = Solid, p.liquid[2] = 0;
-  EXPECT_DOUBLE_EQ(soundStiffening(w), 3.375);
+  EXPECT_DOUBLE_EQ(soundStiffening(w.scene, w.modules, w.particles), 3.375);
   p.relativeDensity[1] = 0.5f;
-  EXPECT_EQ(soundStiffening(w), 1);
+  EXPECT_EQ(soundStiffening(w.scene, w.modules, w.particles), 1);
 }
 
 TEST(StepLimits, ImplicitViscosityHasNoLimit) {

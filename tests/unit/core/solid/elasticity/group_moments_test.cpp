@@ -45,18 +45,19 @@ std::size_t differing(SolidBody& b, const char* kernels) {
 }
 
 TEST(GroupMoments, EqualThoseOfSingleSolids) {
-  std::vector<Vec3d> crumbs = lattice({4, 4, 3}, 0.1, 0.2);
+  std::vector<Vec3d> fragments = lattice({4, 4, 3}, 0.1, 0.2);
   // a plane: rank 2
-  for (std::size_t k = 0; k < 12; k++) crumbs.push_back({1.0 + 0.1 * double(k % 4), 0.1 * double(k / 4), 0});
+  for (std::size_t k = 0; k < 12; k++)
+    fragments.push_back({1.0 + 0.1 * double(k % 4), 0.1 * double(k / 4), 0});
   // nearly a line
-  for (std::size_t k = 0; k < 8; k++) crumbs.push_back({2.0 + 0.1 * double(k), 1e-3 * double(k % 2), 0});
+  for (std::size_t k = 0; k < 8; k++) fragments.push_back({2.0 + 0.1 * double(k), 1e-3 * double(k % 2), 0});
   // alone: no bonds
-  for (std::size_t k = 0; k < 12; k++) crumbs.push_back({3.0 + double(k), 3, 0});
+  for (std::size_t k = 0; k < 12; k++) fragments.push_back({3.0 + double(k), 3, 0});
   BodyOptions periodic;
   periodic.period = {0.6, 0, 0.6};
   for (const char* kernels : {"base", "avx2", "avx512"}) {
     if (!referenceKernels(kernels)) continue;
-    const auto open = makeBody(crumbs, {elasticMaterial()}),
+    const auto open = makeBody(fragments, {elasticMaterial()}),
                wrapped = makeBody(lattice({6, 6, 6}, 0.1, 0.2), {elasticMaterial()}, periodic);
     ASSERT_FALSE(open->bonds.vectors);
     EXPECT_EQ(differing(*open, kernels), 0u) << kernels;

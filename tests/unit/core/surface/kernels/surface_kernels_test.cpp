@@ -108,8 +108,9 @@ TEST(SurfaceKernels, SumThePatchWithTheBitsOfSingleTerms) {
       EXPECT_EQ(sums[8 * PatchWeight + lane], weight);
       EXPECT_EQ(sums[8 * PatchAlong + lane], along);
       for (int a = 0; a < 3; a++) {
-        EXPECT_EQ(sums[8 * static_cast<std::size_t>(PatchNormal + a) + lane], normal[a]);
-        EXPECT_EQ(sums[8 * static_cast<std::size_t>(PatchAway + a) + lane], away[a]);
+        const auto c = static_cast<std::size_t>(a);
+        EXPECT_EQ(sums[8 * (PatchNormal + c) + lane], normal[a]);
+        EXPECT_EQ(sums[8 * (PatchAway + c) + lane], away[a]);
       }
     }
   }

@@ -44,10 +44,10 @@ struct Sheet : SurfelRig {
 
 TEST(ClearIsolatedColours, ReplacesOnlyIsolatedColours) {
   // single surfels, and a pair
-  const auto specks = [](int j, int k) {
+  const auto isolated = [](int j, int k) {
     return (j % 5 == 2 && k % 5 == 2) || (j == 14 && k == 10) ? red : blue;
   };
-  Sheet sheet(specks);
+  Sheet sheet(isolated);
   EXPECT_EQ(sheet.count(red), 37);
   sheet.clear();
   EXPECT_EQ(sheet.count(red), 0);
@@ -61,7 +61,7 @@ TEST(ClearIsolatedColours, ReplacesOnlyIsolatedColours) {
     s->clear();
     EXPECT_EQ(s->colours(), before);
   }
-  Sheet solid(specks);
+  Sheet solid(isolated);
   for (std::size_t i = 0; i < solid.surfels().owned; i++) solid.surfels().liquid[i] = 0;
   const auto before = solid.colours();
   solid.clear();

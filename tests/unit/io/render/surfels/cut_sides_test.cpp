@@ -61,8 +61,8 @@ std::array<double, 6> areaOfCaps(const SurfaceFrame& f, const CutSides& cut) {
   for (const auto& [a, b, c] : cut.faces) {
     const Vec3d n = 0.5 * cross(f.positions[b] - f.positions[a], f.positions[c] - f.positions[a]);
     for (int k = 0; k < 3; k++) {
-      area[static_cast<std::size_t>(2 * k)] += std::max(0.0, -n[k]);
-      area[static_cast<std::size_t>(2 * k + 1)] += std::max(0.0, n[k]);
+      area[2 * static_cast<std::size_t>(k)] += std::max(0.0, -n[k]);
+      area[2 * static_cast<std::size_t>(k) + 1] += std::max(0.0, n[k]);
     }
     EXPECT_GT(dot(single(n), f.normals[a]), 0);
   }

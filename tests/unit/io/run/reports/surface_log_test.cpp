@@ -10,6 +10,8 @@
 
 #include <sstream>
 
+#include "core/simulation/world/world.hpp"
+
 namespace thaw::test {
 namespace {
 
@@ -31,7 +33,7 @@ struct Log : ::testing::Test {
     w.clock.time = 0.1 * static_cast<double>(number);
     w.surface.components = {{5, 10, 20, 1.5, 2.5, 0.1 + 0.2, 4.5, {1, 2, 3}},
                             {9, 1, 2, 3, 4, 5, 6, {7, 8, 9}}};
-    addToComponentLog(out, w);
+    addToComponentLog(out, w.surface, w.clock);
   }
 };
 
@@ -69,7 +71,7 @@ TEST_F(Log, ReportsTheWorstVolumeOfTheRemainingFrames) {
     small.wantedVolume = 2;
     c.open = 0.004 * (k + 1), small.open = 0.2;
     w.surface.components = {c, small, drop};
-    addToComponentLog(out, w);
+    addToComponentLog(out, w.surface, w.clock);
     if (k < 2) recordVolumes(noted, w.surface.components, w.clock.time);
   }
   const VolumeErrors held = truncateComponentLog(out, 10);
