@@ -1,11 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Builds the package with its compiled part by `pip install .` into a virtual environment, without network,
-# and simulates with it. The build takes as long as one of thaw. Its folder BUILD_FOLDER/pip, or
-# THAW_PIP_BUILD, is kept for the next call. numpy, h5py and setuptools are those of Debian.
+# and simulates with it. The build takes as long as one of thaw, so the test is skipped unless THAW_PIP_BUILD
+# names its folder, which is kept for the next call. numpy, h5py and setuptools are those of Debian.
 set -euo pipefail
 build=${1:?usage: pip_test.sh BUILD_FOLDER}
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+if [ -z "${THAW_PIP_BUILD:-}" ]; then
+  echo "skipped: THAW_PIP_BUILD names no folder for the build"
+  exit 77
+fi
 python=$(command -v /usr/bin/python3 || command -v python3)
 for module in pip ensurepip setuptools wheel numpy h5py; do
   "$python" -c "import $module" 2>/dev/null || { echo "skipped: $python has no module $module"; exit 77; }
@@ -24,7 +28,7 @@ trap 'rm -rf "$dir" "$root"/build/lib.* "$root"/build/bdist.* "$root"/thaw.egg-i
 fail() { echo "FAILED: $*"; exit 1; }
 
 "$python" -m venv --system-site-packages "$dir/venv"
-(cd "$root" && THAW_BUILD=${THAW_PIP_BUILD:-$build/pip} "$dir/venv/bin/python" -m pip install --no-index \
+(cd "$root" && THAW_BUILD=$THAW_PIP_BUILD "$dir/venv/bin/python" -m pip install --no-index \
   --no-deps --no-build-isolation . >"$dir/log" 2>&1) || { tail -n 60 "$dir/log"; fail "pip install"; }
 
 cat >"$dir/drop.py" <<'END'
