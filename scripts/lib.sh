@@ -4,8 +4,8 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build/release
 
-# Packages that a bare Debian 12 lacks to build thaw. Tests also need python_packages, those of examples and
-# of pip example_packages and pip_packages, charts chart_packages, and the manual docs_packages.
+# Packages that a bare Debian 12 lacks to build thaw. Tests also need python_packages. Their examples need
+# example_packages and pip needs pip_packages, charts need chart_packages, and the manual docs_packages.
 packages=(g++ cmake ninja-build openmpi-bin libopenmpi-dev libhdf5-openmpi-dev libeigen3-dev
   libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libmuparser-dev libpng-dev
   libnanoflann-dev libgtest-dev python3)

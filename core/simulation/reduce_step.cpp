@@ -16,9 +16,8 @@ void reductionHere(StepContext& c, const StepOutcome& here, Requests wanted) {
   StepTools& t = c.t;
   StepLimits& own = c.limits;
   own = particleLimits(w, here.largest ? *here.largest : largestRates(w.particles), t.stableViscousStep);
-  // the minimum over ranks belongs to
+  // The minimum over ranks belongs to the most compressed particle.
   own[Limit::Sound] = t.fixedLimits[Limit::Sound] / soundStiffening(w.scene, w.modules, w.particles);
-  // the most compressed particle
   // Wall contacts are stiffer than the lattice behind cfl_sound. Here omega dt is at most 1.2; 2 is stable.
   if (t.wallContacts.stiffest > 0)
     own[Limit::Contact] = 3 * w.scene.numerics.cflSound / t.wallContacts.stiffest;

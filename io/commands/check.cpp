@@ -206,8 +206,7 @@ double expectedStep(const Scene& scene, const Modules& modules, const Clock& clo
                     const StepLimits& fixedLimits, double start) {
   double step = std::min(start, longestUnlimitedStep(clock));
   if (mayBeDry(scene, modules))
-    for (const Limit l : limitsOfLiquid)
-      step = std::min(step, fixedLimits.value[static_cast<std::size_t>(l)]);
+    for (const Limit l : limitsOfLiquid) step = std::min(step, fixedLimits[l]);
   return step;
 }
 

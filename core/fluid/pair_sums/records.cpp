@@ -195,6 +195,8 @@ void packTensors(const RecordContext& x, Continuum& p, std::size_t begin, std::s
     pressurePhaseHeat.a = Real(relief.z);
     pressurePhaseHeat.b = std::abs(pressurePhaseHeat.b);  // the sign is for the density sums only
     if (p.relief.active && isFixedSolid(p, i)) pressurePhaseHeat.b = Real(-0.0);
+    // Drag by the mean velocity dissipates exactly what it takes from mush. It is unstable in the longer
+    // steps of other solids, which feel drag by their velocity at the end of the step.
     if (!x.modules.melting && movedInSubsteps(p, i, x.substeps))
       put(rows<Real>(r.velocityViscosity)[i], p.velocity[i], rows<Real>(r.velocityViscosity)[i].d);
     if (recordsEnergy) p.interaction[i] += compressionOf(x, p, i, static_cast<double>(pressurePhaseHeat.b));

@@ -71,13 +71,14 @@ double worthwhileStep(double substep, double limit, int most) {
 }
 
 /// Longest step (s) at which slow forces feed no elastic waves, for the limit `elastic` (s) of a step without
-/// substeps. Pressure and viscosity of mush, and impulses of incompressible liquid, are as stiff as bonds.
-/// Once two of them are half a period of the fastest waves apart, a factor of 1.4, solids gain energy.
-double longestStepOfMush(const StepContext& c, double elastic) {
-  constexpr double stable = 0.8;  // multiple of the limit at a cfl_elastic of 1
+/// substeps. Pressure and viscosity of mush, and impulses of incompressible liquid, are as stiff as bonds,
+/// and feed the fastest waves once two of them are half a period apart. At a cfl_elastic of 0.8 they are a
+/// quarter of it apart.
+double longestWithSlowForces(const StepContext& c, double elastic) {
+  constexpr double stable = 0.8;  // cfl_elastic
   const auto isNever = [](const StepLimits& limits) {
     return std::all_of(limitsOfLiquid.begin(), limitsOfLiquid.end(),
-                       [&](Limit l) { return !(limits.value[static_cast<std::size_t>(l)] < never); });
+                       [&](Limit l) { return !(limits[l] < never); });
   };
   const bool dry = isNever(c.commonLimits) && !isNever(c.t.fixedLimits);
   if (!c.w.modules.incompressible && (!c.w.modules.melting || dry)) return never;
@@ -98,7 +99,7 @@ StepModule solidSubsteps() {
            {ModulePhase::CommonLimits,
             [](StepContext& c) {
               StepLimits& limits = c.commonLimits;
-              const double longest = longestStepOfMush(c, limits[Limit::Elastic]);
+              const double longest = longestWithSlowForces(c, limits[Limit::Elastic]);
               c.longestSubstep = std::min(
                   {limits[Limit::Elastic], c.t.longestContact, -c.reduction.negatedFastLimit});
               limits[Limit::Elastic] = c.w.modules.mostSubsteps * c.longestSubstep;

@@ -87,10 +87,10 @@ double largestRelativeDensity(const Continuum& p) {
 }
 
 Failure failureOf(const World& w, const MonitorLimits& b, const StepLimits& limits, double relativeDensity) {
-  const double perSpeed = limits.value[static_cast<std::size_t>(Limit::Speed)];
+  const double perSpeed = limits[Limit::Speed];
   if (perSpeed < supportsPerStep * w.grid.support / b.speed) return Failure::Speed;
   if (relativeDensity > b.relativeDensity) return Failure::Density;
-  const double shortest = nextFactor(w.watch) * limits.value[static_cast<std::size_t>(limits.smallest())];
+  const double shortest = nextFactor(w.watch) * limits[limits.smallest()];
   if (!(w.scene.numerics.fixedStep > 0) && shortest < b.step) return Failure::Step;
   return Failure::None;
 }

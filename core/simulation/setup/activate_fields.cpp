@@ -31,7 +31,7 @@ void activateFluid(Continuum& p, const Modules& m) {
   turnOn(p, m.continuity, {&p.compression});
   turnOn(p, m.bulkDamping || ((m.phaseDensity || m.evaporation) && m.continuity), {&p.compressionRate});
   turnOn(p, m.corrected, {&p.midCorrection, &p.correction});
-  turnOn(p, m.fluid && m.substeps, {&p.stepMeanVelocity});
+  turnOn(p, (m.continuity || m.melting) && m.substeps, {&p.stepMeanVelocity});
   turnOn(p, m.xsph || m.shifting, {&p.shiftingVelocity});
   turnOn(p, m.shifting && !m.continuity, {&p.concentrationGradient});
   turnOn(p, m.shifting && m.continuity, {&p.atSurface});

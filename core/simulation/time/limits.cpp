@@ -59,11 +59,10 @@ double largestViscosity(const Scene& s, const Material& m) {
 }
 
 /// Factor of the largest stable viscous step. Particles that are partly molten have viscous and elastic
-/// forces, and are stable up to a shorter step; likewise solids that take substeps, on which viscous forces
-/// follow their mean velocity.
+/// forces, and are stable up to a shorter step.
 double viscousFactor(const Numerics& n, const Modules& modules) {
   constexpr double besideElastic = 0.75;
-  return n.cflViscous * (modules.substeps || (modules.elastic && modules.melting) ? besideElastic : 1);
+  return n.cflViscous * (modules.elastic && modules.melting ? besideElastic : 1);
 }
 
 /// Returns the viscosity (Pa s) that limits the step of particles of material k with viscosity mu; their

@@ -40,6 +40,7 @@ struct StepLimits {
   std::array<double, limitNames.size()> value;
   StepLimits() { value.fill(never); }
   double& operator[](Limit l) { return value[static_cast<std::size_t>(l)]; }
+  double operator[](Limit l) const { return value[static_cast<std::size_t>(l)]; }
   Limit smallest() const;
 };
 

@@ -22,8 +22,8 @@ bool clipToBox(const Vec3d& origin, const Vec3d& direction, const Bounds& box, d
 }
 
 struct Ray {
-  Vec3d origin, direction;
-};  // unit direction
+  Vec3d origin, direction;  // unit direction
+};
 
 /// Returns the normal at the surface between two points of a ray, by bisection, since it jumps at edges.
 Vec3d normalWhereCrossed(const SignedDistance& shape, const Ray& ray, double from, double to) {
@@ -117,7 +117,7 @@ Light GlassShade::at(const Vec3f& point) const {
       sum += static_cast<float>(1 - layer.alpha) * glass.tintOf(layer.faces);
     }
     const float part = 1 / static_cast<float>(directions_.size());
-    all = {all.x * part * sum.x, all.y * part * sum.y, all.z * part * sum.z};
+    all = part * product(all, sum);
   }
   return all;
 }

@@ -27,8 +27,8 @@ struct SceneError {
   std::string text;
   /// Source: a value, an unknown key of a table, or a check of a table that assumes that its keys are known.
   enum class Kind { Value, UnknownKey, Check } kind = Kind::Value;
-  std::string table{};                ///< path of the table of an unknown key or a check, or the table
-                                      ///< that lacks a name; "": the file
+  std::string table{};                ///< path of the table of an unknown key or a check, or of a
+                                      ///< table without a name; "": the file
   std::vector<SourcePlace> places{};  ///< places of the table of an unknown key and of all its values
   std::string meant{};                ///< key that an unknown one resembles; "": none
 };

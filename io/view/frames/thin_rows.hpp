@@ -11,8 +11,8 @@ namespace thaw {
 
 inline constexpr double levelStep = 0.5;
 
-/// Returns the smallest level, a multiple of levelStep, at which about `most` of `count` rows are left: one
-/// of 2^level.
+/// Returns the smallest level, a multiple of levelStep, at which about `most` of `count` rows are left. A
+/// level keeps one row in 2^level.
 double thinningLevel(std::uint64_t count, std::uint64_t most);
 
 /// Returns whether a row stays at a level. It is a hash of the id; a row of one level is in all lower ones.

@@ -167,15 +167,12 @@ TEST(StepLimits, MatchTheFormulasOfALiquid) {
   m.fluid = m.heat = true;
   const StepLimits l = materialLimits(s, m, liquidMaterials(s));
   const double h = 0.02;
-  EXPECT_DOUBLE_EQ(l.value[static_cast<std::size_t>(Limit::Sound)], 0.4 * h / 20);
-  EXPECT_DOUBLE_EQ(l.value[static_cast<std::size_t>(Limit::Viscous)],
-                   0.8 * stableViscousStep(s.numerics) * h * h * 1000 / 2);
-  EXPECT_NEAR(l.value[static_cast<std::size_t>(Limit::Tension)],
-              0.25 * std::sqrt(1000 * h * h * h / (2 * std::numbers::pi * 0.07)), 1e-12);
-  EXPECT_DOUBLE_EQ(l.value[static_cast<std::size_t>(Limit::Heat)],
-                   0.8 * stableHeatStep(s.numerics) * h * h / (3.0 / (1000.0 * 1000.0)));
-  EXPECT_EQ(l.value[static_cast<std::size_t>(Limit::Elastic)], never);
-  EXPECT_EQ(l.value[static_cast<std::size_t>(Limit::Contact)], never);
+  EXPECT_DOUBLE_EQ(l[Limit::Sound], 0.4 * h / 20);
+  EXPECT_DOUBLE_EQ(l[Limit::Viscous], 0.8 * stableViscousStep(s.numerics) * h * h * 1000 / 2);
+  EXPECT_NEAR(l[Limit::Tension], 0.25 * std::sqrt(1000 * h * h * h / (2 * std::numbers::pi * 0.07)), 1e-12);
+  EXPECT_DOUBLE_EQ(l[Limit::Heat], 0.8 * stableHeatStep(s.numerics) * h * h / (3.0 / (1000.0 * 1000.0)));
+  EXPECT_EQ(l[Limit::Elastic], never);
+  EXPECT_EQ(l[Limit::Contact], never);
   EXPECT_EQ(l.smallest(), Limit::Sound);
 }
 
@@ -197,9 +194,7 @@ TEST(StepLimits, HeatFollowsTheBetterConductor) {
   s.materials[0].conductivity = {1, 1};
   Modules m;
   m.heat = true;
-  const auto heat = [&] {
-    return materialLimits(s, m, liquidMaterials(s)).value[static_cast<std::size_t>(Limit::Heat)];
-  };
+  const auto heat = [&] { return materialLimits(s, m, liquidMaterials(s))[Limit::Heat]; };
   const double alone = heat();
   s.materials.push_back(s.materials[0]);
   s.materials[1].conductivity = {1e6, 1e6};
