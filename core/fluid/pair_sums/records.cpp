@@ -98,7 +98,7 @@ void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::
   const bool carried = x.modules.continuity, surfaces = p.atSurface.active;
   const double stiffness = carried ? x.liquids[0].stiffness : 1;
   const bool sums = sumsOverPairs(x.modules);
-  const bool heat = x.modules.heat, melting = x.modules.melting, surface = r.surface.size() > 0,
+  const bool heat = x.modules.heat, melting = x.modules.melting, surface = !r.surface.empty(),
              uniform = x.modules.uniform, byPhase = p.restDensity.active,
              pairwise = x.scene.numerics.viscosity == ViscosityForm::Pairwise;
   r.constant.clear();
