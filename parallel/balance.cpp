@@ -65,8 +65,9 @@ bool balance(World& w, CellHalo& halo, StepTools& t, WorkMeter& meter) {
   }
   CellCosts costs = costOfCells(w, costsOf(w, spent));
   for (double& c : costs.cost) c = std::max(1e-12, c);
-  t.newPartition = halo.rebalance(costs.cells, costs.cost, false) || t.newPartition;
-  return t.newPartition;
+  bool& moved = t.redistribution.newPartition;
+  moved = halo.rebalance(costs.cells, costs.cost, false) || moved;
+  return moved;
 }
 
 }  // namespace thaw

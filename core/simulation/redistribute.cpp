@@ -23,7 +23,7 @@ std::size_t emit(World& w, Halos& halos, const StepTools& t, double before, doub
   const std::size_t had = p.owned;
   for (std::size_t e = 0; e < w.scene.emitters.size(); e++) {
     const Emitter& emitter = w.scene.emitters[e];
-    const EmitterPlan& plan = t.emitters[e];
+    const EmitterPlan& plan = t.sources.emitters[e];
     const Material& m = w.scene.materials[static_cast<std::size_t>(emitter.material)];
     const Vec3d direction = normalized(emitter.direction);
     const std::int64_t begin = first ? 0 : layersUntil(emitter, plan, before),
@@ -82,9 +82,9 @@ void findCells(World& w, std::vector<std::uint32_t>& leaving, bool keys, bool op
 /// energy is that after the second half kick, as for the particles that stay.
 void recordLeaving(World& w, const StepTools& t, double dt) {
   const Continuum& p = w.particles;
-  findStoredEnergy(w, t, t.leaving);
-  addToBalance(w, t.leaving, w.ledger.left);
-  for (const std::uint32_t i : t.leaving) {
+  findStoredEnergy(w, t, t.redistribution.leaving);
+  addToBalance(w, t.redistribution.leaving, w.ledger.left);
+  for (const std::uint32_t i : t.redistribution.leaving) {
     const Vec3d kick = p.acceleration[i] * (0.5 * dt);
     w.ledger.left.kinetic.add(p.mass[i] * (dot(p.velocity[i], kick) + 0.5 * dot(kick, kick)));
   }
@@ -105,7 +105,7 @@ void recordEmitted(World& w, StepTools& t, std::size_t emitted) {
   std::vector<std::uint32_t> fresh;
   for (std::size_t i = p.owned - emitted; i < p.owned; i++) {
     fresh.push_back(static_cast<std::uint32_t>(i));
-    if (p.phase[i] == Solid) t.phaseChangedHere = true;  // emitted as solid: needs a slot
+    if (p.phase[i] == Solid) t.phaseChange.here = true;  // emitted as solid: needs a slot
   }
   addToBalance(w, fresh, w.ledger.entered);
 }
@@ -117,12 +117,13 @@ bool takeLeaving(World& w, Halos& halos, StepTools& t, double dt) {
   const std::vector<std::uint32_t> vapour = w.modules.evaporation && dt > 0
                                                 ? removeVapour(heatView(w), recordContext(w, t), dt)
                                                 : std::vector<std::uint32_t>{};
-  addLeaving(vapour, p, t.leaving);
+  addLeaving(vapour, p, t.redistribution.leaving);
   recordLeaving(w, t, dt);
-  if ((w.modules.tension || !t.pairForces.empty()) && (hasOpenSide(w.scene.domain) || w.modules.evaporation))
-    t.leavers = leaversOfAll(w, t, halos.all);
+  if ((w.modules.tension || !t.terms.pairForces.empty()) &&
+      (hasOpenSide(w.scene.domain) || w.modules.evaporation))
+    t.redistribution.leavers = leaversOfAll(w, t, halos.all);
   bool leftSlots = false;
-  for (std::uint32_t i : t.leaving) {
+  for (std::uint32_t i : t.redistribution.leaving) {
     w.ledger.dissipated.add(p.dissipated[i]);
     if (std::binary_search(vapour.begin(), vapour.end(), i)) w.counters.evaporated++;
     else countLeaving(w.scene.domain, p.position[i], w.counters);
@@ -145,10 +146,10 @@ Migration migrateParticles(World& w, Halos& halos, StepTools& t, bool moves) {
     for (const std::uint32_t i : m.departed)
       if (p.piece[i] != notRigid) t.rigid.departed.push_back(p.piece[i]);
   t.times.lap(StepPhase::Migrate);
-  if (!t.leaving.empty()) {
+  if (!t.redistribution.leaving.empty()) {
     std::vector<std::uint32_t> gone;
-    std::merge(m.departed.begin(), m.departed.end(), t.leaving.begin(), t.leaving.end(),
-               std::back_inserter(gone));
+    std::merge(m.departed.begin(), m.departed.end(), t.redistribution.leaving.begin(),
+               t.redistribution.leaving.end(), std::back_inserter(gone));
     m.departed = std::move(gone);
   }
   if (w.modules.sleep)
@@ -185,28 +186,29 @@ bool redistribute(World& w, Halos halos, StepTools& t, double dt) {
   Continuum& p = w.particles;
   if (p.ghosts > 0) p.resize(p.owned, 0);
   // The clock still shows the beginning of the step.
-  if (w.modules.emitters) releaseDriven(w.scene, t.emitters, w.clock.time + dt, p);
+  if (w.modules.emitters) releaseDriven(w.scene, t.sources.emitters, w.clock.time + dt, p);
   const std::size_t emitted = w.modules.emitters
-                                  ? emit(w, halos, t, w.clock.time, w.clock.time + dt, t.emitFirst)
+                                  ? emit(w, halos, t, w.clock.time, w.clock.time + dt, t.sources.emitFirst)
                                   : 0;
-  t.emitFirst = false;
+  t.sources.emitFirst = false;
   recordEmitted(w, t, emitted);
 
   // Without neighbour sums particles may stay on their first rank, so that bonds, which follow their ends
   // across ranks, need not migrate.
-  const bool ordered = needsOrder(w, t), moves = ordered || t.newPartition || w.modules.emitters;
-  const bool partitioned = std::exchange(t.newPartition, false);
-  if (std::exchange(t.looseMemory, partitioned)) trimFreedMemory();
-  const bool open = hasOpenSide(w.scene.domain) && (t.mayLeave || emitted > 0);
-  t.mayLeave = true;
-  findCells(w, t.leaving, moves, open);
-  if (!moves && !t.leaving.empty()) findCells(w, t.leaving, true, open);
+  const bool ordered = needsOrder(w, t),
+             moves = ordered || t.redistribution.newPartition || w.modules.emitters;
+  const bool partitioned = std::exchange(t.redistribution.newPartition, false);
+  if (std::exchange(t.redistribution.looseMemory, partitioned)) trimFreedMemory();
+  const bool open = hasOpenSide(w.scene.domain) && (t.redistribution.mayLeave || emitted > 0);
+  t.redistribution.mayLeave = true;
+  findCells(w, t.redistribution.leaving, moves, open);
+  if (!moves && !t.redistribution.leaving.empty()) findCells(w, t.redistribution.leaving, true, open);
   const bool leftSlots = takeLeaving(w, halos, t, dt);
   Migration m = migrateParticles(w, halos, t, moves);
   m.arrivals += emitted;
-  if (ordered) sortByCell(p, m, t.sort, w.cells, staleColumns(w.modules, w.particles, dt));
+  if (ordered) sortByCell(p, m, t.redistribution.sort, w.cells, staleColumns(w.modules, w.particles, dt));
   else if (m.arrivals > 0 || !m.departed.empty()) closeGaps(p, m);
-  if (partitioned) freeOldBuffers(p, w.neighbours, t.records, t.sort);
+  if (partitioned) freeOldBuffers(p, w.neighbours, t.sums.records, t.redistribution.sort);
   t.times.lap(StepPhase::Sort);
   return leftSlots;
 }

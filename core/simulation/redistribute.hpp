@@ -15,7 +15,7 @@ bool redistribute(World& world, Halos halos, StepTools& tools, double dt);
 /// Returns true if this evaluation needs neighbour lists. A scene of one solid needs them once, to make its
 /// bonds.
 inline bool needsNeighbours(const Modules& modules, const StepTools& tools) {
-  return modules.neighbours || tools.bondsAtStart;
+  return modules.neighbours || tools.solid.bondsAtStart;
 }
 
 /// Returns true if this evaluation visits cells or rows in (cell, id) order. Otherwise rows keep their order

@@ -39,23 +39,23 @@ void addFastForces(World& w, Halos& halos, StepTools& t, double span) {
   const ElasticStep now{span, false, false};
   copyToSolids(w.particles, w.solids);
   Exchange ends = refresh(halos.bonds, w.solids, remoteColumnsBeforeDeformation(w.solids));
-  ElasticResult r = computeDeformationAndStress(t.elastic, w.solids, w.bonds, now, SolidPart::Inner);
+  ElasticResult r = computeDeformationAndStress(t.solid.elastic, w.solids, w.bonds, now, SolidPart::Inner);
   t.times.lap(StepPhase::Elastic);
   ends.wait();
   t.times.lap(StepPhase::Bonds);
-  r += computeDeformationAndStress(t.elastic, w.solids, w.bonds, now, SolidPart::Boundary);
+  r += computeDeformationAndStress(t.solid.elastic, w.solids, w.bonds, now, SolidPart::Boundary);
   w.counters.inverted += r.inverted;
   w.counters.squeezed += r.squeezed;
   t.times.lap(StepPhase::Elastic);
   ends = refresh(halos.bonds, w.solids, remoteColumnsBeforeForces(w.solids));
   t.times.lap(StepPhase::Bonds);
-  computeElasticForces(t.elastic, w.solids, w.bonds, now, SolidPart::Inner);
+  computeElasticForces(t.solid.elastic, w.solids, w.bonds, now, SolidPart::Inner);
   t.times.lap(StepPhase::Elastic);
   ends.wait();
   t.times.lap(StepPhase::Bonds);
-  computeElasticForces(t.elastic, w.solids, w.bonds, now, SolidPart::Boundary);
+  computeElasticForces(t.solid.elastic, w.solids, w.bonds, now, SolidPart::Boundary);
   t.times.lap(StepPhase::Elastic);
-  addSubstepContacts({wallView(w), t.wallTables, t.liquids, span, span}, t.substepContacts);
+  addSubstepContacts({wallView(w), t.walls.tables, t.liquids, span, span}, t.walls.substepContacts);
   t.times.lap(StepPhase::Walls);
 }
 
@@ -88,7 +88,7 @@ void substepSolids(World& w, Halos halos, StepTools& t, double dt) {
     std::fill_n(w.solids.rereferenced.data(), w.solids.size(), std::uint8_t{0});
   if (w.particles.stepMeanVelocity.active)
     std::fill_n(w.particles.stepMeanVelocity.data(), w.particles.owned, Vec3d{});
-  findSubstepContacts(wallView(w), t.substepContacts);
+  findSubstepContacts(wallView(w), t.walls.substepContacts);
   drift(w, span, far2);
   for (int k = 1; k < n; k++) {
     moveWalls(w.walls, w.clock.time + k * span);
@@ -109,8 +109,8 @@ void chooseSubsteps(World& w, const StepTools& t, double longest) {
   if (c.substeps < before && before <= most && 1.1 * step > (before - 1) * longest) c.substeps = before;
   if (c.substeps == before) return;
   for (int a = 0; a < 3; a++) {
-    w.ledger.wallForce[a].addProduct(t.wallContacts.fast[a], 1.0 / c.substeps);
-    w.ledger.wallForce[a].addProduct(t.wallContacts.fast[a], -1.0 / before);
+    w.ledger.wallForce[a].addProduct(t.walls.contacts.fast[a], 1.0 / c.substeps);
+    w.ledger.wallForce[a].addProduct(t.walls.contacts.fast[a], -1.0 / before);
   }
 }
 

@@ -42,7 +42,7 @@ void updateSurfaceOf(Run& r) {
   if (r.world.modules.solid)
     findElasticEnergy(r.world, r.tools);  // also F, from which the current volume of solids follows
                                           // (gather_particles.cpp)
-  if (r.world.modules.rigidify) deformPassive(r.tools.elastic, r.world.solids, r.world.bonds);
+  if (r.world.modules.rigidify) deformPassive(r.tools.solid.elastic, r.world.solids, r.world.bonds);
   updateSurface(surfaceView(r.world), r.surface->halos(), r.surfaceTools);
   r.tools.times.lap(StepPhase::Surface);
   r.summary.surface.updatesHere++;

@@ -22,13 +22,13 @@ void redistributeRows(World& w, Halos& halos, StepTools& t, std::size_t type, Bo
   Migration m = halos.bodyTypes[type]->migrate(r, {r.nextCell.data(), r.owned});
   computeCellKeys(w.grid, r, before, r.owned);
   if (const auto& migrateMore = typeActions()[type].migrateMore) migrateMore(w, halos, m);
-  if (!t.leaving.empty()) {
+  if (!t.redistribution.leaving.empty()) {
     std::vector<std::uint32_t> gone;
-    std::merge(m.departed.begin(), m.departed.end(), t.leaving.begin(), t.leaving.end(),
-               std::back_inserter(gone));
+    std::merge(m.departed.begin(), m.departed.end(), t.redistribution.leaving.begin(),
+               t.redistribution.leaving.end(), std::back_inserter(gone));
     m.departed = std::move(gone);
   }
-  sortByCell(r, m, t.sort, cells);
+  sortByCell(r, m, t.redistribution.sort, cells);
 }
 
 }  // namespace
@@ -42,15 +42,15 @@ void redistributeBodyTypes(World& w, Halos halos, StepTools& t, double dt) {
       if (const double more = wrapPlace(w.grid, w.scene.domain, r.position[i]); more != 0)
         w.ledger.entered.potential.add(r.mass[i] * more);
     computeCellKeys(w.grid, r);
-    t.leaving.clear();
-    if (actions.leavesAtSides) findLeaving(w.scene.domain, r, 0, r.owned, t.leaving);
-    if (actions.beforeRemoval) actions.beforeRemoval(w, t.leaving, dt);
-    for (const std::uint32_t i : t.leaving) {
+    t.redistribution.leaving.clear();
+    if (actions.leavesAtSides) findLeaving(w.scene.domain, r, 0, r.owned, t.redistribution.leaving);
+    if (actions.beforeRemoval) actions.beforeRemoval(w, t.redistribution.leaving, dt);
+    for (const std::uint32_t i : t.redistribution.leaving) {
       addBodyTypeRow(w, type, i, w.ledger.left);
       w.ledger.dissipated.add(r.dissipated[i]);
       countLeaving(w.scene.domain, r.position[i], w.counters);
     }
-    if (actions.afterRemoval) actions.afterRemoval(w, !t.leaving.empty());
+    if (actions.afterRemoval) actions.afterRemoval(w, !t.redistribution.leaving.empty());
     redistributeRows(w, halos, t, type, r, cells);
   });
 }
@@ -71,7 +71,7 @@ std::vector<std::vector<Vec3d>> sampleBodyTypes(World& w, Halos halos, StepTools
     computeCellKeys(w.grid, r);
     Migration all;
     all.arrivals = r.owned;
-    sortByCell(r, all, t.sort, cells);
+    sortByCell(r, all, t.redistribution.sort, cells);
   });
   return std::move(sampling.positions);
 }

@@ -19,7 +19,7 @@ namespace thaw {
 namespace {
 
 /// Numbers per leaver in a message.
-std::size_t wordsOf(const StepTools& t) { return 6 + 4 * t.pairForces.size(); }
+std::size_t wordsOf(const StepTools& t) { return 6 + 4 * t.terms.pairForces.size(); }
 
 double volumeOf(const CellGrid& grid, const Continuum& particles, const Scene& scene, std::size_t i) {
   const double h = grid.support;
@@ -49,7 +49,7 @@ std::vector<Vec3d> imagesOf(const Scene& scene, const CellGrid& grid, const Vec3
 template<class Pair> void eachNearLeaver(const World& w, const StepTools& t, Pair&& pair) {
   const Continuum& p = w.particles;
   std::vector<RowSpan> ranges;
-  for (const Leaver& l : t.leavers)
+  for (const Leaver& l : t.redistribution.leavers)
     for (const Vec3d& x : imagesOf(w.scene, w.grid, l.position)) {
       rowsAround(w.cells, cellKey(cellOf(w.grid, x)), ranges);
       for (const RowSpan& r : ranges)
@@ -73,8 +73,8 @@ void recordCohesion(World& w, const StepTools& t) {
 
 /// The energy that remaining particles lose is half of that of their pairs with leavers; leavers take theirs.
 void recordPairForces(World& w, const StepTools& t) {
-  for (std::size_t k = 0; k < t.pairForces.size(); k++) {
-    const PairForceWork& work = t.pairForces[k];
+  for (std::size_t k = 0; k < t.terms.pairForces.size(); k++) {
+    const PairForceWork& work = t.terms.pairForces[k];
     const PairConstants constants = constantsOf(w, work);
     eachNearLeaver(w, t, [&](std::uint32_t j, const Leaver& l, const Vec3d& d) {
       const std::array<double, 4> record = pairRecordOf(w.scene, w.particles, j, work);
@@ -98,7 +98,7 @@ std::vector<Lost> lostSums(const World& w, const StepTools& t) {
   const Numerics& n = w.scene.numerics;
   eachNearLeaver(w, t, [&](std::uint32_t j, const Leaver& l, const Vec3d& d) {
     const SurfaceKernelValue s = surfaceKernelAt(d);
-    const double relativeDensity = t.inverseLatticeSum * l.volume *
+    const double relativeDensity = t.sums.scales.inverseLatticeSum * l.volume *
                                    withKernel(n.kernel,
                                               [q = length(d)](auto kernel) { return kernel.w(q, q * q); });
     pairs.push_back({j, {s.gradient * l.volume, s.colour * l.volume}, relativeDensity});
@@ -122,7 +122,7 @@ double surfaceLost(World& w, const StepTools& t, const Lost& lost) {
                            {w.particles.surfaceGradient[lost.row], w.particles.surfaceColour[lost.row]},
                            {}};
   if (!(particle.tension > 0)) return 0;
-  if (w.modules.contactAngle) particle.contacts = contactsOf(t.wallContacts, lost.row);
+  if (w.modules.contactAngle) particle.contacts = contactsOf(t.walls.contacts, lost.row);
   const double now = surfaceEnergyOf(context, particle);
   particle.sums.gradient += lost.surface.gradient;
   particle.sums.colour += lost.surface.colour;
@@ -152,12 +152,12 @@ void recordNeighbourhoods(World& w, const StepTools& t) {
 }  // namespace
 
 std::vector<Leaver> leaversOfAll(const World& w, const StepTools& t, Reducer& all) {
-  std::int64_t leaving = static_cast<std::int64_t>(t.leaving.size());
+  std::int64_t leaving = static_cast<std::int64_t>(t.redistribution.leaving.size());
   all.sum({&leaving, 1});
   if (leaving == 0) return {};  // most steps: nothing is allocated
   const auto rank = static_cast<std::size_t>(all.rank());
   std::vector<std::int64_t> counts(static_cast<std::size_t>(all.size()));
-  counts[rank] = static_cast<std::int64_t>(t.leaving.size());
+  counts[rank] = static_cast<std::int64_t>(t.redistribution.leaving.size());
   all.sum(counts);
   std::int64_t before = 0, total = 0;
   for (std::size_t r = 0; r < counts.size(); r++) {
@@ -167,13 +167,13 @@ std::vector<Leaver> leaversOfAll(const World& w, const StepTools& t, Reducer& al
   const std::size_t words = wordsOf(t);
   std::vector<std::int64_t> packed(static_cast<std::size_t>(total) * words);
   std::int64_t* to = packed.data() + static_cast<std::size_t>(before) * words;
-  for (const std::uint32_t i : t.leaving) {
+  for (const std::uint32_t i : t.redistribution.leaving) {
     *to++ = std::bit_cast<std::int64_t>(w.particles.id[i]);
     const Vec3d& x = w.particles.position[i];
     for (const double value :
          {x.x, x.y, x.z, volumeOf(w.grid, w.particles, w.scene, i), rootTensionOf(w.particles, t.liquids, i)})
       *to++ = std::bit_cast<std::int64_t>(value);
-    for (const PairForceWork& work : t.pairForces)
+    for (const PairForceWork& work : t.terms.pairForces)
       for (const double value : pairRecordOf(w.scene, w.particles, i, work))
         *to++ = std::bit_cast<std::int64_t>(value);
   }
@@ -190,7 +190,7 @@ std::vector<Leaver> leaversOfAll(const World& w, const StepTools& t, Reducer& al
 }
 
 void recordEnergyLeft(World& w, const StepTools& t) {
-  if (t.leavers.empty()) return;
+  if (t.redistribution.leavers.empty()) return;
   recordPairForces(w, t);
   if (!w.modules.tension) return;
   recordNeighbourhoods(w, t);

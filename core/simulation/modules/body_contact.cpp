@@ -11,7 +11,9 @@ StepModule bodyContact() {
   return {"contact of bodies",
           [](const World& w, const StepTools&) { return w.modules.bodyContact; },
           {{ModulePhase::WallContacts,  // before new bonds reset the flag
-            [](StepContext& c) { c.justFrozen = c.t.frozeAnywhere && c.w.modules.freezing && c.dt > 0; }},
+            [](StepContext& c) {
+              c.justFrozen = c.t.phaseChange.frozeAnywhere && c.w.modules.freezing && c.dt > 0;
+            }},
            {ModulePhase::Density,
             [](StepContext& c) {
               if (c.justFrozen)
@@ -23,10 +25,10 @@ StepModule bodyContact() {
             [](StepContext& c) {
               const BodyContactView view = bodyContactView(c.w, c.t, c.walls.span, c.dt);
               addBodyContacts(view, c.t.sleep.skipped);
-              if (c.w.modules.rareContact) c.contactNear = c.contactNear || touchesSoon(c.t.bodyContact);
+              if (c.w.modules.rareContact) c.contactNear = c.contactNear || touchesSoon(c.t.contact.bodies);
             }},
            {ModulePhase::AllForces,
-            [](StepContext& c) { recordResistance(c.walls, c.t.bodyContact.resistance); }}}};
+            [](StepContext& c) { recordResistance(c.walls, c.t.contact.bodies.resistance); }}}};
 }
 
 }  // namespace thaw

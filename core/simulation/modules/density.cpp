@@ -11,7 +11,7 @@ StepModule summedDensity() {
   return {"summed density",
           [](const World& w, const StepTools&) { return w.modules.fluid && !w.modules.continuity; },
           {{ModulePhase::Density, [](StepContext& c) {
-              addWallRelativeDensity(c.walls, c.t.inverseLatticeSum, c.t.wallContacts);
+              addWallRelativeDensity(c.walls, c.t.sums.scales.inverseLatticeSum, c.t.walls.contacts);
               c.t.times.lap(StepPhase::Walls);
             }}}};
 }

@@ -20,7 +20,7 @@ StepModule elasticSolids() {
       {{ModulePhase::Redistributed,
         [](StepContext& c) {
           StepTools& t = c.t;
-          rebuildSolidBonds(c.w, c.halos, t, {{}, t.phaseChangedHere || c.leftBonds || t.bondsAtStart});
+          rebuildSolidBonds(c.w, c.halos, t, {{}, t.phaseChange.here || c.leftBonds || t.solid.bondsAtStart});
         }},
        {ModulePhase::GhostsSent, [](StepContext& c) { c.solidPositions = sendPositions(c.w, c.halos, c.t); }},
        {ModulePhase::Deformation,
@@ -34,14 +34,14 @@ StepModule elasticSolids() {
         [](StepContext& c) {
           World& w = c.w;
           if (w.modules.melting)
-            recordSoftening(c.t.elastic, w.particles, w.solids, w.bonds, w.ledger.phaseJump);
+            recordSoftening(c.t.solid.elastic, w.particles, w.solids, w.bonds, w.ledger.phaseJump);
         }},
        {ModulePhase::Limits,
         [](StepContext& c) {
-          c.reduction.stretch2 = c.t.maxStretch2;
-          c.reduction.strainBound = largestStrainBound(c.t.elastic, c.w.solids);
+          c.reduction.stretch2 = c.t.solid.maxStretch2;
+          c.reduction.strainBound = largestStrainBound(c.t.solid.elastic, c.w.solids);
           // Bonds break and references change in any step.
-          c.w.counters.singularNeighbourhoods = countSingular(c.t.elastic, c.w.solids);
+          c.w.counters.singularNeighbourhoods = countSingular(c.t.solid.elastic, c.w.solids);
         }},
        {ModulePhase::CommonLimits,
         [](StepContext& c) {
@@ -53,7 +53,7 @@ StepModule elasticSolids() {
         }},
        {ModulePhase::EndOfStep, [](StepContext& c) {
           // Here and not in the next step, so that checkpoints contain it.
-          if (c.dt > 0 && c.t.meltedAnywhere) melt(c.w, c.halos, c.t);
+          if (c.dt > 0 && c.t.phaseChange.meltedAnywhere) melt(c.w, c.halos, c.t);
         }}}};
 }
 
@@ -80,7 +80,7 @@ double longestWithSlowForces(const StepContext& c, double elastic) {
     return std::all_of(limitsOfLiquid.begin(), limitsOfLiquid.end(),
                        [&](Limit l) { return !(limits[l] < never); });
   };
-  const bool dry = isNever(c.commonLimits) && !isNever(c.t.fixedLimits);
+  const bool dry = isNever(c.commonLimits) && !isNever(c.t.limits.fixed);
   if (!c.w.modules.incompressible && (!c.w.modules.melting || dry)) return never;
   return std::max(1.0, stable / c.w.scene.numerics.cflElastic) * elastic;
 }
@@ -101,7 +101,7 @@ StepModule solidSubsteps() {
               StepLimits& limits = c.commonLimits;
               const double longest = longestWithSlowForces(c, limits[Limit::Elastic]);
               c.longestSubstep = std::min(
-                  {limits[Limit::Elastic], c.t.longestContact, -c.reduction.negatedFastLimit});
+                  {limits[Limit::Elastic], c.t.limits.longestContact, -c.reduction.negatedFastLimit});
               limits[Limit::Elastic] = c.w.modules.mostSubsteps * c.longestSubstep;
               if (c.w.modules.rareContact)
                 limits[Limit::Elastic] = worthwhileStep(c.longestSubstep, limits[limits.smallest()],

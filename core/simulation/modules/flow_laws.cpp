@@ -9,8 +9,9 @@ namespace thaw {
 StepModule flowLaws() {
   return {"flow law",
           [](const World& w, const StepTools&) { return w.modules.flowLaw; },
-          {{ModulePhase::Density,
-            [](StepContext& c) { findApparentViscosity(c.walls, c.t.wallContacts, pairSumsOf(c.w, c.t)); }}}};
+          {{ModulePhase::Density, [](StepContext& c) {
+              findApparentViscosity(c.walls, c.t.walls.contacts, pairSumsOf(c.w, c.t));
+            }}}};
 }
 
 }  // namespace thaw

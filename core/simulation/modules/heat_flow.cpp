@@ -14,8 +14,8 @@ StepModule heatFlow() {
           [](const World& w, const StepTools&) { return w.modules.heat; },
           {{ModulePhase::AllForces,
             [](StepContext& c) {
-              if (c.w.modules.surfaceHeat) coverAreas(c.walls.world, c.t.wallContacts);
-              addWallHeat(c.walls, c.t.wallContacts);
+              if (c.w.modules.surfaceHeat) coverAreas(c.walls.world, c.t.walls.contacts);
+              addWallHeat(c.walls, c.t.walls.contacts);
             }},
            {ModulePhase::PhaseChange, [](StepContext& c) {
               updateHeat(heatView(c.w), c.dt);  // H += heat dt, T and liquid fraction follow
@@ -29,7 +29,7 @@ StepModule conductionCorrection() {
           {{ModulePhase::AllForces, [](StepContext& c) {
               if (c.dt != 0 && (c.w.clock.step + 1) % everySteps != 0) return;
               // for the next step
-              correctConduction(pairSumsOf(c.w, c.t), c.walls, c.t.wallContacts, c.t.conduction);
+              correctConduction(pairSumsOf(c.w, c.t), c.walls, c.t.walls.contacts, c.t.heat.conduction);
             }}}};
 }
 
@@ -37,8 +37,8 @@ StepModule contactConductance() {
   return {"contact conductance",
           [](const World& w, const StepTools&) { return w.modules.contactConductance; },
           {{ModulePhase::Density, [](StepContext& c) {
-              findContactNormals(pairSumsOf(c.w, c.t), c.w.particles.owned + c.t.ghostRoom, c.w.particles,
-                                 c.t.contactHeat);
+              findContactNormals(pairSumsOf(c.w, c.t), c.w.particles.owned + c.t.sums.ghostRoom,
+                                 c.w.particles, c.t.heat.contact);
             }}}};
 }
 

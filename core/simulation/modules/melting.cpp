@@ -18,10 +18,10 @@ StepModule melting() {
             }},
            {ModulePhase::PhaseChange, [](StepContext& c) {
               const PhaseChanges changes = changePhase(c.w.scene, c.w.particles, c.w.counters);
-              c.t.phaseChangedHere = changes.melted || changes.frozen;
+              c.t.phaseChange.here = changes.melted || changes.frozen;
               // For this rank; reduceStep combines the flags of all ranks.
-              c.t.frozeAnywhere = changes.frozen;
-              c.t.meltedAnywhere = changes.melted;
+              c.t.phaseChange.frozeAnywhere = changes.frozen;
+              c.t.phaseChange.meltedAnywhere = changes.melted;
             }}}};
 }
 
@@ -33,7 +33,8 @@ StepModule densityByPhase() {
               if (c.w.modules.tension) keepPairEnergy(c.w, c.t);
             }},
            {ModulePhase::PhaseChange, [](StepContext& c) {
-              updateRestDensities(heatView(c.w), recordContext(c.w, c.t), c.t.phaseEnergy.ofPairs, c.dt);
+              updateRestDensities(heatView(c.w), recordContext(c.w, c.t), c.t.phaseChange.energy.ofPairs,
+                                  c.dt);
             }}}};
 }
 

@@ -13,7 +13,7 @@ StepModule mushDrag() {
       {{ModulePhase::Drift,
         [](StepContext& c) {
           applyMush(heatView(c.w), 0.5 * c.dt, c.dt);
-          c.t.mayLeave = true;
+          c.t.redistribution.mayLeave = true;
         }},
        {ModulePhase::AllForces, [](StepContext& c) { findMush(heatView(c.w), c.w.grid, c.w.neighbours); }},
        {ModulePhase::Kicked, [](StepContext& c) { applyMush(heatView(c.w), 0.5 * c.dt, 0); }}}};

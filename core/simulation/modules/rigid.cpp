@@ -20,7 +20,7 @@ StepModule rigidPieces() {
           {{ModulePhase::Drift,
             [](StepContext& c) {
               driftPieces(rigidView(c.w, c.t), c.dt);
-              c.t.mayLeave = true;
+              c.t.redistribution.mayLeave = true;
             }},
            {ModulePhase::Density,
             [](StepContext& c) {
@@ -39,12 +39,12 @@ StepModule rigidBodies() {
           [](const World& w, const StepTools&) { return w.modules.rigid && !w.modules.rigidify; },
           {{ModulePhase::PhaseChange,
             [](StepContext& c) {
-              if (c.t.rigid.changedHere) c.t.meltedAnywhere = true;
+              if (c.t.rigid.changedHere) c.t.phaseChange.meltedAnywhere = true;
             }},
            {ModulePhase::EndOfStep, [](StepContext& c) {
               if (!c.finite) return;
               const RigidView view = rigidView(c.w, c.t);
-              if (c.t.meltedAnywhere || c.t.frozeAnywhere) {
+              if (c.t.phaseChange.meltedAnywhere || c.t.phaseChange.frozeAnywhere) {
                 updatePieces(view, c.halos, false);
                 c.t.rigid.changedHere = false;
                 linkPieces(view, c.halos, PieceUsers::AndGhosts);

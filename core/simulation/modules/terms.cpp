@@ -24,17 +24,17 @@ OutsideLoad loadOf(StepContext& c) {
 }
 
 void addTerms(StepContext& c, LoadStage stage) {
-  for (const ActiveTerm& term : c.t.terms)
+  for (const ActiveTerm& term : c.t.terms.active)
     if (term.part->stage == stage) term.add(loadOf(c));
 }
 
 void recordTerms(StepContext& c, HalfKick kick) {
-  for (const ActiveTerm& term : c.t.terms)
+  for (const ActiveTerm& term : c.t.terms.active)
     if (term.part->recordKick) term.part->recordKick(loadOf(c), kick);
 }
 
 bool hasTerms(const StepTools& t, LoadStage stage) {
-  return std::any_of(t.terms.begin(), t.terms.end(),
+  return std::any_of(t.terms.active.begin(), t.terms.active.end(),
                      [&](const ActiveTerm& term) { return term.part->stage == stage; });
 }
 
@@ -56,7 +56,7 @@ StepModule outsideLoads() {
           {{ModulePhase::FirstKick, [](StepContext& c) { recordLoads(c, HalfKick::First); }},
            {ModulePhase::AllForces,
             [](StepContext& c) {
-              if (c.w.particles.outsideForce.active) addOutsideLoads(c.t.outside, loadOf(c));
+              if (c.w.particles.outsideForce.active) addOutsideLoads(c.t.terms.outside, loadOf(c));
             }},
            {ModulePhase::SecondKick, [](StepContext& c) { recordLoads(c, HalfKick::Second); }}}};
 }
@@ -88,11 +88,11 @@ StepModule heatSources() {
 StepModule limitsOfTerms() {
   return {"limits of terms",
           [](const World&, const StepTools& t) {
-            return std::any_of(t.terms.begin(), t.terms.end(),
+            return std::any_of(t.terms.active.begin(), t.terms.active.end(),
                                [](const ActiveTerm& term) { return term.part->stepLimit != nullptr; });
           },
           {{ModulePhase::Limits, [](StepContext& c) {
-              for (const ActiveTerm& term : c.t.terms)
+              for (const ActiveTerm& term : c.t.terms.active)
                 if (term.part->stepLimit)
                   c.reduction.lower(limitNamed(term.part->limit),
                                     term.part->stepLimit(c.w.scene, c.w.clock.time));

@@ -20,7 +20,8 @@ StepModule vanishingObstacles() {
             }},
            {ModulePhase::Density, [](StepContext& c) {
               if (!c.vanished.walls.list.empty())
-                recordVanished(c.walls, {c.t.surface, c.t.inverseLatticeSum}, c.vanished, c.t.wallContacts);
+                recordVanished(c.walls, {c.t.surface, c.t.sums.scales.inverseLatticeSum}, c.vanished,
+                               c.t.walls.contacts);
             }}}};
 }
 

@@ -77,12 +77,12 @@ void activateFields(World& w, StepTools& t) {
   turnOn(p, true,
          {&p.id, &p.position, &p.velocity, &p.acceleration, &p.mass, &p.material, &p.body, &p.dissipated,
           &p.cell, &p.phase, &p.dissipation, &p.interaction});
-  turnOn(p, !t.outside.empty(), {&p.outsideForce});
+  turnOn(p, !t.terms.outside.empty(), {&p.outsideForce});
   for (const auto& added : p.added) p.activate(*added);
   activateFluid(p, m);
   const bool curvature = actsByCurvature(w.scene.numerics, m), pairTension = m.tension && !curvature;
   turnOn(p, curvature, {&p.surfaceGradient, &p.surfaceColour, &p.setLabel});
-  turnOn(p, m.shifting && m.continuity && (pairTension || !t.pairForces.empty()), {&p.positionForce});
+  turnOn(p, m.shifting && m.continuity && (pairTension || !t.terms.pairForces.empty()), {&p.positionForce});
   activateHeat(p, w.scene, m);
   turnOn(p, m.surface, {&p.surfacePosition, &p.component});
   turnOn(p, m.surface && m.solid, {&p.surfaceStartPosition});
@@ -115,7 +115,7 @@ void activateFields(World& w, StepTools& t) {
   turnOn(p, faces, {&p.sheetFace, &p.sheetNormalForce, &p.sheetContactData, &p.sheetFriction});
   if (m.surface) activateSurfaceFields(w.surface, m, !w.walls.list.empty());
   if (p.initialFill.active) w.surface.particles.activate(w.surface.particles.fill);
-  if (m.solid) activateSolidFields(p, w.solids, w.bonds, t.elastic, w.scene, m, w.grid);
+  if (m.solid) activateSolidFields(p, w.solids, w.bonds, t.solid.elastic, w.scene, m, w.grid);
 }
 
 }  // namespace thaw

@@ -28,7 +28,7 @@ void describeShape(Modules& modules, const Shape& s) {
 }
 
 void lower(StepTools& t, double limit) {
-  double& least = t.fixedLimits[Limit::Extension];
+  double& least = t.limits.fixed[Limit::Extension];
   least = std::min(least, limit);
 }
 
@@ -43,7 +43,7 @@ void addPairForce(World& w, StepTools& t, const Extension& e, const ExtensionSet
   work.force = &e.pairForce;
   work.settings = &settings;
   for (const ExtensionKey& key : e.keys) work.values.push_back(settings.values.at(key.name));
-  t.pairForces.push_back(std::move(work));
+  t.terms.pairForces.push_back(std::move(work));
   if (e.pairForce.stepLimit) lower(t, e.pairForce.stepLimit(settings, w.scene));
 }
 
@@ -52,9 +52,9 @@ void addPairForce(World& w, StepTools& t, const Extension& e, const ExtensionSet
 void startTerms(World& w, StepTools& t, const MeshLoader& load, SceneProblems& problems) {
   for (const Extension* term : modelTerms()) {
     for (const PairSweep& sweep : term->model->sweeps)
-      if (sweep.isOn(w.scene.numerics, w.modules)) t.sweeps.push_back(&sweep);
+      if (sweep.isOn(w.scene.numerics, w.modules)) t.terms.sweeps.push_back(&sweep);
     if (term->model->start && isUsed(*term, w.scene, w.modules))
-      t.terms.push_back({&*term->model, term->model->start({w.scene, load, problems})});
+      t.terms.active.push_back({&*term->model, term->model->start({w.scene, load, problems})});
   }
 }
 
@@ -67,8 +67,8 @@ void addExtensions(World& w, StepTools& t) {
       throw std::runtime_error(
           "extension '" + e.name +
           "' is a source of heat, but the scene has no [[body]] and no [[emitter]] that it could heat");
-    if (e.load) t.outside.push_back(e.load(settings));
-    if (e.update) t.fieldUpdates.push_back(e.update(settings));
+    if (e.load) t.terms.outside.push_back(e.load(settings));
+    if (e.update) t.terms.fieldUpdates.push_back(e.update(settings));
     if (e.stepLimit) lower(t, e.stepLimit(settings));
     if (e.pairForce.kernels.sum) addPairForce(w, t, e, settings);
   }

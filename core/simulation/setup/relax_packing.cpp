@@ -29,11 +29,11 @@ void kernelGradients(World& w, Halos& halos, StepTools& t) {
   computeCellKeys(w.grid, p);
   if (p.slot.active)
     for (std::size_t i = 0; i < p.owned; i++) p.slot[i] = noSlot;
-  sortByCell(p, m, t.sort, w.cells);
+  sortByCell(p, m, t.redistribution.sort, w.cells);
   sendGhosts(halos.cells, p, w.cells, ghostColumns(w)).wait();
   clearRates(w.particles);
   markInner(w, halos.cells, t);
-  t.ghostRoom = std::max(t.ghostRoom, p.ghosts);
+  t.sums.ghostRoom = std::max(t.sums.ghostRoom, p.ghosts);
   sumUnitPressure(w, t);
 }
 
@@ -65,7 +65,7 @@ std::vector<std::uint8_t> freeBodies(const World& w, Halos& halos, const std::ve
 int relaxDensity(World& w, Halos& halos, StepTools& t, const std::vector<std::uint8_t>& moves) {
   Continuum& p = w.particles;
   const double dx = w.scene.spacing, slope = largestRelativeDensityGradient(w.scene.numerics) *
-                                             t.inverseLatticeSum / w.grid.support;
+                                             t.sums.scales.inverseLatticeSum / w.grid.support;
   if (std::find(moves.begin(), moves.end(), 1) == moves.end()) return 0;
   for (int k = 0; k < densityRelaxationIterations; k++) {
     kernelGradients(w, halos, t);

@@ -63,8 +63,9 @@ void addMisplaced(const World& w, const StepTools& t, const BodyShapes& shapes, 
                                    outsideText(report.outside[b], w.scene.domain, report.particles[b],
                                                "particles", "body") +
                                    sizeHint(w.scene, body.shape, shapes[b]->bounds()));
-  for (std::size_t e = 0; e < t.emitters.size(); e++)
-    if (const std::string why = misplacedOpening(w.scene, w.walls, w.scene.emitters[e], t.emitters[e]);
+  for (std::size_t e = 0; e < t.sources.emitters.size(); e++)
+    if (const std::string why = misplacedOpening(w.scene, w.walls, w.scene.emitters[e],
+                                                 t.sources.emitters[e]);
         !why.empty())
       problems.add(w.scene.emitters[e].where, why);
   if (report.inObstacles > 0 && w.scene.numerics.overlap != OverlapRule::Keep)
@@ -96,23 +97,24 @@ void partitionSampled(World& w, Halos& halos, StepTools& t) {
   computeCellKeys(w.grid, p);
   Migration all;
   all.arrivals = p.owned;
-  sortByCell(p, all, t.sort, w.cells);
+  sortByCell(p, all, t.redistribution.sort, w.cells);
   const CellCosts costs = countCells(w);
   halos.cells.rebalance(costs.cells, costs.cost, true);
-  t.newPartition = true;
+  t.redistribution.newPartition = true;
 }
 
 }  // namespace
 
 SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader& load) {
-  const BodyShapes shapes = std::exchange(t.shapes, {});
+  const BodyShapes shapes = std::exchange(t.sources.shapes, {});
   moveWalls(w.walls, 0);
   SamplingReport report = sampleBodies(w, shapes, halos.all);
   SceneProblems problems;
   addMisplaced(w, t, shapes, report, problems);
   problems.raise();
-  for (std::size_t e = 0; e < t.emitters.size(); e++)
-    if (const std::string much = unevenOutflow(w.scene, w.scene.emitters[e], t.emitters[e]); !much.empty())
+  for (std::size_t e = 0; e < t.sources.emitters.size(); e++)
+    if (const std::string much = unevenOutflow(w.scene, w.scene.emitters[e], t.sources.emitters[e]);
+        !much.empty())
       report.warnings.push_back({w.scene.emitters[e].where, much});
   append(thickFlows(w, t), report.warnings);
   append(thinWalls(w, shapes, report.particles, halos.all), report.warnings);

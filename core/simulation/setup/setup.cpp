@@ -84,7 +84,7 @@ void recordStored(World& w, StepTools& t, double sign, ExactSum& to) {
 /// Frees the buffers of the first sorts, which cover all rows.
 void dropBuffersOfStart(Continuum& particles, StepTools& t) {
   particles.shrink();
-  t.sort = {};
+  t.redistribution.sort = {};
   trimFreedMemory();
 }
 
@@ -132,7 +132,7 @@ void makeShapes(World& w, StepTools& t, const MeshLoader& load) {
     shapes.push_back(makeSignedDistance(b.shape, load, "body '" + b.name + "'", problems));
   startTerms(w, t, load, problems);
   problems.raise();
-  t.shapes = std::move(shapes);
+  t.sources.shapes = std::move(shapes);
 }
 
 /// Sets the liquids, the contacts of body types with them, and the limits of the step.
@@ -141,39 +141,51 @@ void planLiquidsAndLimits(World& w, StepTools& t) {
   if (w.modules.sheet) planParticleContact(w.scene, t.liquids, w.sheets.plans);
   if (w.modules.oriented) t.oriented.obstacles = planObstacleContact(w.scene);
   if (w.modules.orientedContact) t.oriented.contacts = planOrientedContact(w.scene, t.liquids);
-  t.fixedLimits = materialLimits(w.scene, w.modules, t.liquids);
+  t.limits.fixed = materialLimits(w.scene, w.modules, t.liquids);
   addExtensions(w, t);
   if (w.modules.substeps && (!w.modules.contact || w.modules.rareContact))
-    std::swap(t.longestContact, t.fixedLimits[Limit::Contact]);
-  t.watch = monitorLimits(w.scene, w.modules, t.liquids, t.fixedLimits);
+    std::swap(t.limits.longestContact, t.limits.fixed[Limit::Contact]);
+  t.limits.monitor = monitorLimits(w.scene, w.modules, t.liquids, t.limits.fixed);
 }
 
-/// Sets the constants of pair sums, which follow from kernel and spacing.
+/// Returns the constants of pair sums. support: m.
+SumScales sumScales(const Scene& s, const Modules& modules, double support) {
+  const Numerics& n = s.numerics;
+  SumScales scales;
+  if (modules.fluid) scales.viscousWeight = viscousWeight(n);
+  scales.conductionScale = conductionScale(n);
+  const bool plain = n.density == DensityForm::Plain || n.pressure == PairForm::Printed;
+  scales.inverseLatticeSum = 1 / (plain ? latticeSum(n) : latticeGradient(n));
+  const double cellsInSupport = std::pow(support / s.spacing, 3);
+  scales.selfExcess = (latticeSum(n) * scales.inverseLatticeSum - 1) * cellsInSupport;
+  scales.relativeDensityScale = scales.inverseLatticeSum / (support * support * support);
+  return scales;
+}
+
+/// Sets the constants of the pressure solver.
+void planPressure(const Scene& s, const std::vector<LiquidMaterial>& liquids, double inverseLatticeSum,
+                  PressureWork& work) {
+  const Numerics& n = s.numerics;
+  double sound = 0;  // proportional to the expected speed
+  for (const LiquidMaterial& l : liquids) sound = std::max(sound, l.soundSpeed);
+  work.targetRelativeDensity = 1 + (slidingLatticeSum(n) - latticeSum(n)) * inverseLatticeSum;
+  work.closed = liquidFillsTheBox(s) || n.buoyancy == Buoyancy::Boussinesq;
+  if (work.closed) work.targetRelativeDensity += flowDensityExcess;
+  work.relaxation = 0.9 / largestPressureResponse(n);
+  work.correctionTime = s.spacing / (sound * std::sqrt(n.maxDensityError));
+}
+
+/// Sets the constants of sums over pairs, walls and free surfaces.
 void setScales(const World& w, StepTools& t) {
   const Numerics& n = w.scene.numerics;
-  if (w.modules.fluid) {
-    t.viscousWeight = viscousWeight(n);
-    t.stableViscousStep = stableViscousStep(n);
-  }
-  t.conductionScale = conductionScale(n);
-  t.wallTables = makeWallTables(n);
-  const double h = w.grid.support;
-  const bool plain = n.density == DensityForm::Plain || n.pressure == PairForm::Printed;
-  t.inverseLatticeSum = 1 / (plain ? latticeSum(n) : latticeGradient(n));
-  const double cellsInSupport = std::pow(h / w.scene.spacing, 3);
-  t.selfExcess = (latticeSum(n) * t.inverseLatticeSum - 1) * cellsInSupport;
-  if (w.modules.incompressible) {
-    double sound = 0;  // proportional to the expected speed
-    for (const LiquidMaterial& l : t.liquids) sound = std::max(sound, l.soundSpeed);
-    t.pressure.targetRelativeDensity = 1 + (slidingLatticeSum(n) - latticeSum(n)) * t.inverseLatticeSum;
-    t.pressure.closed = liquidFillsTheBox(w.scene) || n.buoyancy == Buoyancy::Boussinesq;
-    if (t.pressure.closed) t.pressure.targetRelativeDensity += flowDensityExcess;
-    t.pressure.relaxation = 0.9 / largestPressureResponse(n);
-    t.pressure.correctionTime = w.scene.spacing / (sound * std::sqrt(n.maxDensityError));
-  }
-  if (actsByCurvature(n, w.modules)) t.tensionInterval = tensionInterval(w.scene);
-  if (w.modules.surfaceEnergy) t.surface = surfaceMeasure(n, w.scene.spacing);
-  t.relativeDensityScale = t.inverseLatticeSum / (h * h * h);
+  const Modules& m = w.modules;
+  t.sums.scales = sumScales(w.scene, m, w.grid.support);
+  t.walls.tables = makeWallTables(n);
+  if (m.fluid) t.limits.stableViscousStep = stableViscousStep(n);
+  if (m.uniform && m.artificialViscosity) t.sums.artificialViscosity = t.liquids[0].artificial;
+  if (m.incompressible) planPressure(w.scene, t.liquids, t.sums.scales.inverseLatticeSum, t.pressure);
+  if (actsByCurvature(n, m)) t.limits.tensionInterval = tensionInterval(w.scene);
+  if (m.surfaceEnergy) t.surface = surfaceMeasure(n, w.scene.spacing);
 }
 
 }  // namespace
@@ -192,17 +204,17 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
       reach > w.grid.edge.x)
     w.grid = makeGrid(w.scene, reach);
   addWallImages(w.scene.domain, reachOfWalls(w), w.walls);
-  w.scene.fallHeight = fallHeightOf(w.scene, t.shapes);
-  t.emitters = planEmitters(w.scene);
-  w.scene.expected = expectedMotion(w.scene, t.shapes, w.walls, t.emitters);
+  w.scene.fallHeight = fallHeightOf(w.scene, t.sources.shapes);
+  t.sources.emitters = planEmitters(w.scene);
+  w.scene.expected = expectedMotion(w.scene, t.sources.shapes, w.walls, t.sources.emitters);
 
   if (w.modules.oriented) prepareOriented(w.scene, t.oriented, load);
-  t.kernels = pairKernels();
+  t.sums.kernels = pairKernels();
   planLiquidsAndLimits(w, t);
   setScales(w, t);
   if (actsByCurvature(w.scene.numerics, w.modules)) declareTensionForce(w.particles);
   activateFields(w, t);
-  prepareBodyContact(w.scene, w.grid, t.bodyContact);
+  prepareBodyContact(w.scene, w.grid, t.contact.bodies);
   t.phases = phasesOf(w, t);
 }
 
@@ -211,14 +223,14 @@ void initializeForces(World& w, Halos halos, StepTools& t) {
   t.times.start();
   const double fixed = w.scene.numerics.fixedStep;
   // Used until particle limits are known.
-  w.clock.dt = fixed > 0 ? fixed : t.fixedLimits[t.fixedLimits.smallest()];
+  w.clock.dt = fixed > 0 ? fixed : t.limits.fixed[t.limits.fixed.smallest()];
   if (fieldsDeferred(w.bonds, t))
-    for (AnyColumn* c : columnsOfSteps(w.solids, t.elastic)) w.solids.deactivate(*c);
+    for (AnyColumn* c : columnsOfSteps(w.solids, t.solid.elastic)) w.solids.deactivate(*c);
   evaluateNow(w, halos, t);
   if (!w.modules.neighbours) {  // only needed for the bonds of the start
     w.neighbours = {};
-    t.records = {};
-    t.search = {};
+    t.sums.records = {};
+    t.sums.search = {};
   }
   dropBuffersOfStart(w.particles, t);
   t.mass = totalMass(w.particles, halos.all);
@@ -237,9 +249,9 @@ SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader&
   SamplingReport report = sampleWorld(w, halos, t, load);
   if (change) change(w.particles);
   if (w.modules.oriented) t.oriented.relaxed = relaxOriented(w, halos, t);
-  t.bondsAtStart = w.modules.solid;
+  t.solid.bondsAtStart = w.modules.solid;
   t.rigid.atStart = w.modules.rigid && !w.modules.rigidify;
-  t.emitFirst = true;
+  t.sources.emitFirst = true;
   initializeForces(w, halos, t);
   for (SceneWarning& warning : compressedLiquids(w, t, halos.all))
     report.warnings.push_back(std::move(warning));
@@ -251,9 +263,9 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   Continuum& p = w.particles;
   t.times.start();
   moveWalls(w.walls, w.clock.time);
-  t.shapes = {};
+  t.sources.shapes = {};
   t.sleep = {};
-  forgetActiveSlots(t.elastic);
+  forgetActiveSlots(t.solid.elastic);
   w.solids.energyKnown = w.compressionKnown = true;  // part of the state
   if (p.slot.active) {
     for (std::size_t i = 0; i < p.owned; i++) p.slot[i] = noSlot;
@@ -262,12 +274,12 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   computeCellKeys(w.grid, p);
   Migration all;
   all.arrivals = p.owned;
-  sortByCell(p, all, t.sort, w.cells);
+  sortByCell(p, all, t.redistribution.sort, w.cells);
   forEachBodyType(w, [&](std::size_t, BodyTypeRows& r, CellTable& cells) {
     computeCellKeys(w.grid, r);
     Migration fresh;
     fresh.arrivals = r.owned;
-    sortByCell(r, fresh, t.sort, cells);
+    sortByCell(r, fresh, t.redistribution.sort, cells);
   });
   if (w.modules.rigid) {
     t.rigid = {};
@@ -276,7 +288,7 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   }
   const CellCosts costs = countCells(w);
   halos.cells.rebalance(costs.cells, costs.cost, true);
-  t.newPartition = true;
+  t.redistribution.newPartition = true;
   if (w.modules.bodyTypes())
     redistributeBodyTypes(w, halos, t);  // after the ghosts they equal the state of the last step
   if (w.modules.oriented) updateNeighbours(w.oriented, w.scene, halos, t.oriented.lists);
@@ -287,14 +299,15 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   if (p.justFrozen.active)
     for (std::size_t i = 0; i < p.owned; i++) froze = p.justFrozen[i] ? 1 : froze;
   halos.all.maximum({&froze, 1});
-  t.frozeAnywhere = froze > 0;
-  t.phaseChangedHere = true;
+  t.phaseChange.frozeAnywhere = froze > 0;
+  t.phaseChange.here = true;
   // A resumed scene with a shorter step limit applies it to the first step too; for the same scene no bit
   // changes.
   const double fixed = w.scene.numerics.fixedStep, factor = w.watch.factor;
-  StepLimits limits = t.fixedLimits;
+  StepLimits limits = t.limits.fixed;
   if (w.modules.substeps)
-    limits[Limit::Elastic] = w.modules.mostSubsteps * std::min(limits[Limit::Elastic], t.longestContact);
+    limits[Limit::Elastic] = w.modules.mostSubsteps *
+                             std::min(limits[Limit::Elastic], t.limits.longestContact);
   if (mayBeDry(w.scene, w.modules)) {
     double wet = isDry(p) ? 0 : 1;
     halos.all.maximum({&wet, 1});
@@ -317,7 +330,7 @@ void applyNewCoefficients(World& w, Halos halos, StepTools& t) {
   findStoredEnergy(w, t);
   recordStored(w, t, 1, jump);
   w.ledger.restartJump += jump;
-  t.frozeAnywhere = false;  // newly frozen particles have bonds now
+  t.phaseChange.frozeAnywhere = false;  // newly frozen particles have bonds now
   StepContext c = stepContext(w, halos, t, 0);
   c.contactNear = w.modules.rareContact;  // unknown here, and a new stiffness shortens the limit
   reduceStep(c, {}, {});

@@ -72,7 +72,7 @@ PairSums pairSumsOf(World& w, StepTools& t) {
   s.pressureForm = n.pressure;
   s.viscosityForm = n.viscosity;
   s.viscous = !w.modules.implicitViscosity;
-  s.viscousWeight = t.viscousWeight;
+  s.viscousWeight = t.sums.scales.viscousWeight;
   s.printedTension = n.tension == TensionForm::ColourField;
   s.heat = w.modules.heat;
   s.uniform = w.modules.uniform;
@@ -83,17 +83,17 @@ PairSums pairSumsOf(World& w, StepTools& t) {
                                                                           // packRecords
     s.viscosity = viscosityAt(m, 1, 293);
     s.conductivity = conductivityOf(n.heat, m, 1);
-    s.artificial = w.modules.artificialViscosity ? t.liquids[0].artificial : 0;
+    s.artificial = t.sums.artificialViscosity;
   }
-  s.conductionScale = t.conductionScale;
+  s.conductionScale = t.sums.scales.conductionScale;
   s.support = w.grid.support;
-  s.relativeDensityScale = t.relativeDensityScale;
-  s.selfExcess = t.selfExcess;
-  s.positionVolume = n.precision == Precision::Single ? t.records.fixed.data()
-                                                      : t.records.positionVolume.data();
-  s.velocityViscosity = t.records.velocityViscosity.data();
-  s.pressurePhaseHeat = t.records.pressurePhaseHeat.data();
-  s.surface = t.records.surface.data();
+  s.relativeDensityScale = t.sums.scales.relativeDensityScale;
+  s.selfExcess = t.sums.scales.selfExcess;
+  s.positionVolume = n.precision == Precision::Single ? t.sums.records.fixed.data()
+                                                      : t.sums.records.positionVolume.data();
+  s.velocityViscosity = t.sums.records.velocityViscosity.data();
+  s.pressurePhaseHeat = t.sums.records.pressurePhaseHeat.data();
+  s.surface = t.sums.records.surface.data();
   s.closeDistance = (w.modules.rareContact ? contactSight : contactDistance) * w.scene.spacing /
                     w.grid.support;
   s.freeSurfaceIndicatorScale = 2 * w.scene.spacing;
@@ -107,11 +107,11 @@ PairSums pairSumsOf(World& w, StepTools& t) {
   s.coincident = &w.counters.coincidentPairs;
   s.carried = w.modules.continuity;
   s.relief = p.relief.active;
-  s.surfaceEnergyDerivatives = t.records.surfaceEnergyDerivatives.data();
+  s.surfaceEnergyDerivatives = t.sums.records.surfaceEnergyDerivatives.data();
   s.surfaceGradient = p.surfaceGradient.data();
   s.surfaceColour = p.surfaceColour.data();
-  s.pressureDiagonal = t.records.pressureDiagonal.data();
-  s.pressureOffDiagonal = t.records.pressureOffDiagonal.data();
+  s.pressureDiagonal = t.sums.records.pressureDiagonal.data();
+  s.pressureOffDiagonal = t.sums.records.pressureOffDiagonal.data();
   if (p.concentrationGradient.active) s.concentrationGradient = p.concentrationGradient.data();
   return s;
 }
@@ -123,29 +123,30 @@ void search(World& w, StepTools& t, Part part) {
   const std::size_t n = w.cells.key.size();
   const bool mixed = w.modules.fluid && w.modules.solid;
   if (mixed) {
-    t.liquidCells.assign(n, 0);
+    t.sums.liquidCells.assign(n, 0);
     for (std::size_t c = 0; c < n; c++)
       for (std::uint32_t k = 0; k < w.cells.count[c]; k++) {
         const std::size_t i = w.cells.first[c] + k;
-        if (p.phase[i] == Liquid || (p.liquid.active && p.liquid[i] > 0)) t.liquidCells[c] = 1;
+        if (p.phase[i] == Liquid || (p.liquid.active && p.liquid[i] > 0)) t.sums.liquidCells[c] = 1;
       }
   } else if (!w.modules.fluid) {
-    t.liquidCells.assign(n, 0);
+    t.sums.liquidCells.assign(n, 0);
   }
   SearchInput in;
-  in.x = t.records.coarse[0].data(), in.y = t.records.coarse[1].data(), in.z = t.records.coarse[2].data();
+  in.x = t.sums.records.coarse[0].data(), in.y = t.sums.records.coarse[1].data(),
+  in.z = t.sums.records.coarse[2].data();
   in.cells = &w.cells;
-  in.inner = t.inner.data();
-  in.liquid = mixed || !w.modules.fluid ? t.liquidCells.data() : nullptr;
+  in.inner = t.sums.inner.data();
+  in.liquid = mixed || !w.modules.fluid ? t.sums.liquidCells.data() : nullptr;
   in.owned = static_cast<std::uint32_t>(p.owned);
-  t.kernels->search(in, part, t.search, w.neighbours);
+  t.sums.kernels->search(in, part, t.sums.search, w.neighbours);
 }
 
 /// Searches the neighbours of rows that need no ghosts.
 void searchInner(World& w, StepTools& t) {
   const Continuum& p = w.particles;
   clearLists(w.neighbours, static_cast<std::uint32_t>(p.owned),
-             static_cast<std::uint32_t>(p.owned + t.ghostRoom));
+             static_cast<std::uint32_t>(p.owned + t.sums.ghostRoom));
   search(w, t, Part::Inner);
   t.times.lap(StepPhase::Search);
 }
@@ -155,8 +156,8 @@ void sumContactHeat(const World& w, StepTools& t, const PairSums& sums, GroupRan
                     NeighbourPass pass) {
   const Continuum& p = w.particles;
   const bool inner = pass == NeighbourPass::InnerForces;
-  packContactFaces(w.scene, p, inner ? 0 : p.owned, inner ? p.owned : p.size(), t.contactHeat);
-  addContactHeat(sums, t.contactHeat, range);
+  packContactFaces(w.scene, p, inner ? 0 : p.owned, inner ? p.owned : p.size(), t.heat.contact);
+  addContactHeat(sums, t.heat.contact, range);
 }
 
 /// Packs the records of a density pass, and searches the neighbours of its rows. elapsed: s, last step.
@@ -165,18 +166,19 @@ void searchNeighbours(World& w, StepTools& t, Part part, double elapsed) {
   RecordContext x = recordContext(w, t);
   x.elapsed = elapsed;
   if (part == Part::Inner) {
-    resizeRecords(x, p.owned + t.ghostRoom, t.records);
+    resizeRecords(x, p.owned + t.sums.ghostRoom, t.sums.records);
     for (const RowSpan& rows : rowsToSee(w.modules, p, t.sleep))
-      packRecords(x, p, rows.begin, rows.end, t.records);
+      packRecords(x, p, rows.begin, rows.end, t.sums.records);
     searchInner(w, t);
   } else {
-    if (p.ghosts > t.ghostRoom) {  // more ghosts than ever: the padding of the inner lists points to rows
-                                   // that are now ghosts
-      t.ghostRoom = p.ghosts + p.ghosts / 8;
-      resizeRecords(x, p.owned + t.ghostRoom, t.records);
+    if (p.ghosts > t.sums.ghostRoom) {  // more ghosts than ever: the padding of the inner lists points to
+                                        // rows
+                                        // that are now ghosts
+      t.sums.ghostRoom = p.ghosts + p.ghosts / 8;
+      resizeRecords(x, p.owned + t.sums.ghostRoom, t.sums.records);
       searchInner(w, t);  // the sums of inner particles are done
     }
-    packRecords(x, p, p.owned, p.size(), t.records);
+    packRecords(x, p, p.owned, p.size(), t.sums.records);
     search(w, t, Part::Boundary);
     t.times.lap(StepPhase::Search);
   }
@@ -191,13 +193,13 @@ void sumDensities(World& w, StepTools& t, GroupRange range, double elapsed) {
     if (sums.carried) {
       carry = carryStepOf(context);
       sums.carry = &carry;
-      sums.positionVolume = t.records.middle.data();
+      sums.positionVolume = t.sums.records.middle.data();
     }
-    t.kernels->density(sums, range);
+    t.sums.kernels->density(sums, range);
   }
   const bool curvature = actsByCurvature(w.scene.numerics, w.modules) &&
-                         isTensionDue(t.tensionInterval, w.clock, elapsed);
-  if (w.modules.surfaceEnergy || curvature) t.kernels->surfaceColours(pairSumsOf(w, t), range);
+                         isTensionDue(t.limits.tensionInterval, w.clock, elapsed);
+  if (w.modules.surfaceEnergy || curvature) t.sums.kernels->surfaceColours(pairSumsOf(w, t), range);
   t.times.lap(StepPhase::Density);
 }
 
@@ -206,33 +208,34 @@ void sumForces(World& w, StepTools& t, NeighbourPass pass, GroupRange range) {
   const RecordContext x = recordContext(w, t);
   const bool inner = pass == NeighbourPass::InnerForces;
   if (w.modules.fluid && !w.modules.incompressible) {  // else the pressure is computed at the end of the step
-    pass == NeighbourPass::InnerForces ? packPressure(x, p, 0, p.owned, t.records)
-                                       : packPressure(x, p, p.owned, p.size(), t.records);
+    pass == NeighbourPass::InnerForces ? packPressure(x, p, 0, p.owned, t.sums.records)
+                                       : packPressure(x, p, p.owned, p.size(), t.sums.records);
     w.compressionKnown = !w.modules.uniform;
   }
   if (w.modules.flowLaw)
-    pass == NeighbourPass::InnerForces ? packApparentViscosity(x, p, 0, p.owned, t.records)
-                                       : packApparentViscosity(x, p, p.owned, p.size(), t.records);
+    pass == NeighbourPass::InnerForces ? packApparentViscosity(x, p, 0, p.owned, t.sums.records)
+                                       : packApparentViscosity(x, p, p.owned, p.size(), t.sums.records);
   const PairSums s = pairSumsOf(w, t);
   PairSums particleForces = s, positionForces = s;
   if (p.positionForce.active) positionForces.force = p.positionForce.data();
   if (p.drag.active)
     particleForces.force = p.drag.data();  // viscosity only: the pressure is computed at the end of the
                                            // step
-  if (w.modules.fluid || w.modules.heat) t.kernels->forces(particleForces, range);
+  if (w.modules.fluid || w.modules.heat) t.sums.kernels->forces(particleForces, range);
   if (w.modules.contactConductance) sumContactHeat(w, t, s, range, pass);
-  for (const PairSweep* sweep : t.sweeps) {
+  for (const PairSweep* sweep : t.terms.sweeps) {
     if (sweep->pack)
-      inner ? sweep->pack(x, p, 0, p.owned, t.records) : sweep->pack(x, p, p.owned, p.size(), t.records);
-    (t.kernels->*sweep->sum)(sweep->onto == PairTarget::PositionForce   ? positionForces
-                             : sweep->onto == PairTarget::ExplicitForce ? particleForces
-                                                                        : s,
-                             range);
+      inner ? sweep->pack(x, p, 0, p.owned, t.sums.records)
+            : sweep->pack(x, p, p.owned, p.size(), t.sums.records);
+    (t.sums.kernels->*sweep->sum)(sweep->onto == PairTarget::PositionForce   ? positionForces
+                                  : sweep->onto == PairTarget::ExplicitForce ? particleForces
+                                                                             : s,
+                                  range);
   }
   if (w.modules.surfaceHeat) findExposedAreas(s, w.scene.numerics, p.exposedArea.data(), range);
   if (w.modules.contact) {
-    if (pass == NeighbourPass::InnerForces) t.closePairs.list.clear();
-    t.kernels->closePairs(s, range, t.closePairs);
+    if (pass == NeighbourPass::InnerForces) t.contact.closePairs.list.clear();
+    t.sums.kernels->closePairs(s, range, t.contact.closePairs);
   }
   if (pass == NeighbourPass::BoundaryForces && p.drag.active)
     for (std::size_t i = 0; i < p.owned; i++) p.force[i] += p.drag[i];
@@ -278,14 +281,15 @@ void sumPairForces(World& w, StepTools& t) {
   PairSums sums = pairSumsOf(w, t);
   if (p.positionForce.active) sums.force = p.positionForce.data();
   const AddedColumn* newborn = newbornOf(p);
-  for (PairForceWork& work : t.pairForces) {
-    resizePairForce(sums.precision, p.owned + t.ghostRoom, work);
+  for (PairForceWork& work : t.terms.pairForces) {
+    resizePairForce(sums.precision, p.owned + t.sums.ghostRoom, work);
     packPairForce(w.scene, p, 0, p.size(), work);
     work.energy.assign(p.owned, 0);
     work.force->kernels.sum(sums, {work.records.data(), constantsOf(w, work), work.energy.data()},
                             {0, w.neighbours.groups});
     for (std::size_t i = 0; i < p.owned; i++) p.interaction[i] += work.energy[i];
-    for (std::size_t i = 0; w.modules.melting && i < p.owned; i++) t.phaseEnergy.inPairs[i] += work.energy[i];
+    for (std::size_t i = 0; w.modules.melting && i < p.owned; i++)
+      t.phaseChange.energy.inPairs[i] += work.energy[i];
     if (newborn) recordEntry(w, sums, work, *newborn);
   }
   t.times.lap(StepPhase::Forces);
@@ -309,9 +313,9 @@ namespace {
 /// Finds the shares of no-slip walls by owned row.
 void findWallShares(const World& w, const StepTools& t, std::vector<WallShare>& shares) {
   shares.assign(w.particles.owned, {});
-  for (const WallContact& c : t.wallContacts.list) {
+  for (const WallContact& c : t.walls.contacts.list) {
     if (w.walls.list[c.wall].properties.slip) continue;
-    const WallIntegrals at = t.wallTables(c.distance / w.grid.support);
+    const WallIntegrals at = t.walls.tables(c.distance / w.grid.support);
     shares[c.row].density += static_cast<float>(at.space * c.share);
     shares[c.row].shear += static_cast<float>(at.shear * c.share);
   }
@@ -321,13 +325,13 @@ void findWallShares(const World& w, const StepTools& t, std::vector<WallShare>& 
 
 void correctViscosity(World& w, StepTools& t) {
   PairSums s = pairSumsOf(w, t);
-  if (!t.wallContacts.list.empty()) {
-    findWallShares(w, t, t.wallShares);
-    s.viscosityWalls = t.wallShares.data();
+  if (!t.walls.contacts.list.empty()) {
+    findWallShares(w, t, t.walls.shares);
+    s.viscosityWalls = t.walls.shares.data();
   }
   s.viscosityCorrection = w.particles.viscosityCorrection.data();
   s.largestViscosityFactor = w.modules.implicitViscosity ? 2 : 1.25;
-  t.kernels->viscosityCorrection(s, {0, w.neighbours.groups});
+  t.sums.kernels->viscosityCorrection(s, {0, w.neighbours.groups});
 }
 
 namespace {
@@ -342,9 +346,9 @@ std::optional<PieceJoint> jointOf(World& w, Halos& halos, StepTools& t) {
 
 void solveViscosity(World& w, Halos halos, StepTools& t, const WallContext& walls) {
   std::optional<PieceJoint> joint = jointOf(w, halos, t);
-  addImplicitViscosity(
-      {w.neighbours, *t.kernels, t.ghostRoom, t.wallContacts, t.viscous, t.times, joint ? &*joint : nullptr},
-      halos, pairSumsOf(w, t), walls);
+  addImplicitViscosity({w.neighbours, *t.sums.kernels, t.sums.ghostRoom, t.walls.contacts, t.viscous, t.times,
+                        joint ? &*joint : nullptr},
+                       halos, pairSumsOf(w, t), walls);
 }
 
 void solvePressure(World& w, Halos halos, StepTools& t, double dt) {
@@ -361,12 +365,12 @@ void solvePressure(World& w, Halos halos, StepTools& t, double dt) {
                 w.lastIterations,
                 halos,
                 pairSumsOf(w, t),
-                *t.kernels,
+                *t.sums.kernels,
                 t.liquids,
-                t.records,
-                t.wallTables,
-                t.inverseLatticeSum,
-                t.wallContacts,
+                t.sums.records,
+                t.walls.tables,
+                t.sums.scales.inverseLatticeSum,
+                t.walls.contacts,
                 t.pressure,
                 t.times,
                 joint ? &*joint : nullptr},
@@ -396,45 +400,46 @@ void sumUnitPressure(World& w, StepTools& t) {
   Continuum& p = w.particles;
   const Modules modules = packingModules(w.modules);
   const RecordContext x{w.scene, modules, w.grid, t.liquids};
-  resizeRecords(x, p.size(), t.records);
-  packRecords(x, p, 0, p.size(), t.records);
-  setUnitPressure(x, p.size(), t.records);
+  resizeRecords(x, p.size(), t.sums.records);
+  packRecords(x, p, 0, p.size(), t.sums.records);
+  setUnitPressure(x, p.size(), t.sums.records);
   clearLists(w.neighbours, static_cast<std::uint32_t>(p.owned), static_cast<std::uint32_t>(p.size()));
-  std::fill(t.inner.begin(), t.inner.end(), std::uint8_t{1});
+  std::fill(t.sums.inner.begin(), t.sums.inner.end(), std::uint8_t{1});
   SearchInput in;
-  in.x = t.records.coarse[0].data(), in.y = t.records.coarse[1].data(), in.z = t.records.coarse[2].data();
+  in.x = t.sums.records.coarse[0].data(), in.y = t.sums.records.coarse[1].data(),
+  in.z = t.sums.records.coarse[2].data();
   in.cells = &w.cells;
-  in.inner = t.inner.data();
+  in.inner = t.sums.inner.data();
   in.owned = static_cast<std::uint32_t>(p.owned);
-  t.kernels->search(in, Part::Inner, t.search, w.neighbours);
+  t.sums.kernels->search(in, Part::Inner, t.sums.search, w.neighbours);
   PairSums s = packingSums(w, t);
   s.relativeDensityScale = 1 / (w.grid.support * w.grid.support * w.grid.support);
-  t.kernels->forces(s, {0, w.neighbours.groups});
+  t.sums.kernels->forces(s, {0, w.neighbours.groups});
 }
 
 void sumExcessPressure(World& w, CellHalo& halo, StepTools& t) {
   Continuum& p = w.particles;
   const GroupRange all{0, w.neighbours.groups};
   const PairSums s = packingSums(w, t);
-  t.kernels->density(s, all);
+  t.sums.kernels->density(s, all);
   refresh(halo, p, ColumnList{&p.relativeDensity}).wait();
   const Modules modules = packingModules(w.modules);
-  setExcessPressure({w.scene, modules, w.grid, t.liquids}, p, t.records);
+  setExcessPressure({w.scene, modules, w.grid, t.liquids}, p, t.sums.records);
   std::fill_n(p.force.data(), p.owned, Vec3d{});
-  t.kernels->forces(s, all);
+  t.sums.kernels->forces(s, all);
 }
 
 void markInner(const World& w, const CellHalo& halo, StepTools& t) {
-  t.inner.resize(w.cells.key.size());
-  for (std::size_t c = 0; c < t.inner.size(); c++)
-    t.inner[c] = w.cells.first[c] < w.particles.owned && halo.inner(w.cells.key[c]);
+  t.sums.inner.resize(w.cells.key.size());
+  for (std::size_t c = 0; c < t.sums.inner.size(); c++)
+    t.sums.inner[c] = w.cells.first[c] < w.particles.owned && halo.inner(w.cells.key[c]);
 }
 
 void separateCoincident(World& w, const StepTools& t, std::int64_t before) {
   if (w.counters.coincidentPairs == before) return;
   Continuum& p = w.particles;
   const NeighbourLists& lists = w.neighbours;
-  const std::uint32_t* positionVolume = reinterpret_cast<const std::uint32_t*>(t.records.fixed.data());
+  const std::uint32_t* positionVolume = reinterpret_cast<const std::uint32_t*>(t.sums.records.fixed.data());
   for (std::size_t g = 0; g < lists.groups; g++)
     for (std::size_t l = 0; l < 8; l++) {
       const std::uint32_t i = lists.self[8 * g + l];

@@ -18,7 +18,7 @@ PairSums pairSumsOf(World& world, StepTools& tools);
 /// assign, which come first.
 void clearRates(Continuum& particles, bool pairsSet = false);
 
-/// Sets StepTools::inner of the present cells: 1 if sums need no ghosts.
+/// Sets PairSumWork::inner of the present cells: 1 if sums need no ghosts.
 void markInner(const World& world, const CellHalo& halo, StepTools& tools);
 
 /// Gives coincident particles a tiny opposite impulse, with a direction derived from the id

@@ -21,7 +21,7 @@ bool coheresByPairs(const World& w) {
 /// Computes PhaseEnergyWork::energy of cohesion and of pair forces of extensions.
 void findPairEnergy(World& w, StepTools& t) {
   Continuum& p = w.particles;
-  PhaseEnergyWork& work = t.phaseEnergy;
+  PhaseEnergyWork& work = t.phaseChange.energy;
   const GroupRange all{0, w.neighbours.groups};
   work.energy.assign(p.owned, 0);
   work.force.resize(p.owned);
@@ -31,29 +31,31 @@ void findPairEnergy(World& w, StepTools& t) {
   sums.force = work.force.data();
   sums.dissipation = work.dissipation.data();
   if (coheresByPairs(w)) {
-    packCohesion(recordContext(w, t), p, 0, p.size(), t.records);
-    t.kernels->tension(sums, all);
+    packCohesion(recordContext(w, t), p, 0, p.size(), t.sums.records);
+    t.sums.kernels->tension(sums, all);
   }
-  for (PairForceWork& pairs : t.pairForces) {
+  for (PairForceWork& pairs : t.terms.pairForces) {
     packPairForce(w.scene, p, 0, p.size(), pairs);
     pairs.force->kernels.sum(sums, {pairs.records.data(), constantsOf(w, pairs), work.energy.data()}, all);
   }
 }
 
-bool storesInPairs(const World& w, const StepTools& t) { return coheresByPairs(w) || !t.pairForces.empty(); }
+bool storesInPairs(const World& w, const StepTools& t) {
+  return coheresByPairs(w) || !t.terms.pairForces.empty();
+}
 
 }  // namespace
 
 bool pairEnergyChanges(const World& w, const StepTools& t) {
-  return storesInPairs(w, t) &&
-         !std::equal(t.phaseEnergy.liquid.begin(), t.phaseEnergy.liquid.end(), w.particles.liquid.data());
+  return storesInPairs(w, t) && !std::equal(t.phaseChange.energy.liquid.begin(),
+                                            t.phaseChange.energy.liquid.end(), w.particles.liquid.data());
 }
 
 void recordPairEnergyChange(World& w, StepTools& t) {
   if (!storesInPairs(w, t)) return;
   findPairEnergy(w, t);
   for (std::size_t i = 0; i < w.particles.owned; i++) {
-    const double change = t.phaseEnergy.energy[i] - t.phaseEnergy.inPairs[i];
+    const double change = t.phaseChange.energy.energy[i] - t.phaseChange.energy.inPairs[i];
     w.particles.interaction[i] += change;
     w.ledger.phaseJump.add(-change);
   }
@@ -61,7 +63,7 @@ void recordPairEnergyChange(World& w, StepTools& t) {
 
 void keepPairEnergy(const World& w, StepTools& t) {
   const Continuum& p = w.particles;
-  t.phaseEnergy.ofPairs.assign(p.interaction.data(), p.interaction.data() + p.owned);
+  t.phaseChange.energy.ofPairs.assign(p.interaction.data(), p.interaction.data() + p.owned);
 }
 
 namespace {
@@ -78,7 +80,7 @@ double energyAsLiquid(World& w, const StepTools& t, const RecordContext& x, std:
                      tensionOfParticle(surface.world, i),
                      {p.surfaceGradient[i], p.surfaceColour[i]},
                      {}};
-  if (w.modules.contactAngle) as.contacts = contactsOf(t.wallContacts, as.row);
+  if (w.modules.contactAngle) as.contacts = contactsOf(t.walls.contacts, as.row);
   if (as.tension > 0) energy += surfaceEnergyOf(surface, as) * restVolumeOf(p, w.scene.materials, i);
   return energy;
 }
@@ -115,7 +117,7 @@ void softenSolids(World& w, const StepTools& t, const RecordContext& x) {
 
 void beginSoftening(World& w, StepTools& t) {
   Continuum& p = w.particles;
-  PhaseEnergyWork& work = t.phaseEnergy;
+  PhaseEnergyWork& work = t.phaseChange.energy;
   const RecordContext x = recordContext(w, t);
   const bool cohesion = coheresByPairs(w);
   if (storesInPairs(w, t)) {

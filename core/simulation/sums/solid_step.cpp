@@ -18,7 +18,7 @@ namespace thaw {
 namespace {
 
 ElasticStep elasticStep(const StepTools& t, double dt) {
-  return {dt, t.elastic.energyInSteps, t.elastic.deformationInSteps};
+  return {dt, t.solid.elastic.energyInSteps, t.solid.elastic.deformationInSteps};
 }
 
 /// Chooses the slots whose energy may change, if bonds or slots changed on this rank.
@@ -27,54 +27,56 @@ void chooseActive(World& w, Halos& halos, StepTools& t) {
   pieces.resize(w.solids.owned, w.solids.ghosts);
   for (std::size_t s = 0; s < w.solids.owned; s++) pieces.piece[s] = w.particles.piece[w.solids.particle[s]];
   refresh(halos.bonds, w.solids, ColumnList{&pieces.piece}).wait();
-  if (!activeSlotsKnown(t.elastic, w.solids)) chooseActiveSlots(t.elastic, w.solids, w.bonds, pieces);
+  if (!activeSlotsKnown(t.solid.elastic, w.solids))
+    chooseActiveSlots(t.solid.elastic, w.solids, w.bonds, pieces);
 }
 
 void deformAll(World& w, Halos& halos, StepTools& t, const ElasticStep& step, Exchange ends) {
-  if (w.modules.sleep) chooseAwakeGroups(w.particles, w.solids, t.elastic, t.sleep);
+  if (w.modules.sleep) chooseAwakeGroups(w.particles, w.solids, t.solid.elastic, t.sleep);
   if (w.modules.rigidify) {
     ends.wait();  // a halo has one refresh in flight
     chooseActive(w, halos, t);
   }
-  ElasticResult r = computeDeformationAndStress(t.elastic, w.solids, w.bonds, step, SolidPart::Inner);
+  ElasticResult r = computeDeformationAndStress(t.solid.elastic, w.solids, w.bonds, step, SolidPart::Inner);
   t.times.lap(StepPhase::Elastic);
   ends.wait();
   t.times.lap(StepPhase::Bonds);
-  r += computeDeformationAndStress(t.elastic, w.solids, w.bonds, step, SolidPart::Boundary);
+  r += computeDeformationAndStress(t.solid.elastic, w.solids, w.bonds, step, SolidPart::Boundary);
   w.counters.inverted += r.inverted;
   w.counters.squeezed += r.squeezed;
-  t.maxStretch2 = r.maxStretch2;
+  t.solid.maxStretch2 = r.maxStretch2;
   // Includes sleeping groups; empty without sleep.
-  for (const double stretch2 : t.elastic.groupStretch2) t.maxStretch2 = std::max(t.maxStretch2, stretch2);
+  for (const double stretch2 : t.solid.elastic.groupStretch2)
+    t.solid.maxStretch2 = std::max(t.solid.maxStretch2, stretch2);
 }
 
 BondForming bondForming(const World& w, const StepTools& t) {
   BondForming forming;
-  forming.rule = t.bondsAtStart      ? BondRule::Start
-                 : w.modules.welding ? BondRule::Welding
-                                     : BondRule::Freezing;
-  forming.support = t.elastic.support;
+  forming.rule = t.solid.bondsAtStart ? BondRule::Start
+                 : w.modules.welding  ? BondRule::Welding
+                                      : BondRule::Freezing;
+  forming.support = t.solid.elastic.support;
   forming.touch = contactDistance * w.scene.spacing;  // distance of contact repulsion
   forming.touchBodies = weldDistance * w.scene.spacing;
   forming.selfWeld = w.scene.numerics.selfContact;
-  forming.periods = t.elastic.periods;
+  forming.periods = t.solid.elastic.periods;
   forming.materials = &w.scene.materials;
   return forming;
 }
 
 /// Updates data after a bond update that changed something on any rank.
 void updateBondData(World& w, Halos& halos, StepTools& t) {
-  fillNewSlots(w.particles, w.solids, t.elastic, t.bondsAtStart);
+  fillNewSlots(w.particles, w.solids, t.solid.elastic, t.solid.bondsAtStart);
   if (w.modules.sleep) forgetChangedSlots(w.solids, t.sleep);
-  forgetActiveSlots(t.elastic);
+  forgetActiveSlots(t.solid.elastic);
   refresh(halos.bonds, w.solids, remoteColumnsAfterRebuild(w.solids)).wait();
-  w.counters.singularNeighbourhoods = refreshReference(t.elastic, w.solids, w.bonds, false);
+  w.counters.singularNeighbourhoods = refreshReference(t.solid.elastic, w.solids, w.bonds, false);
 }
 
 /// Returns true if bonds form in this step on any rank. Welding is checked at the current positions, so a
 /// restart needs no extra state.
 bool bondsForm(World& w, Halos& halos, StepTools& t) {
-  if (t.bondsAtStart || t.frozeAnywhere) return t.bondsAtStart || w.modules.freezing;
+  if (t.solid.bondsAtStart || t.phaseChange.frozeAnywhere) return t.solid.bondsAtStart || w.modules.freezing;
   if (!w.modules.welding) return false;
   double touch = touchesToWeld(w.particles, w.solids, w.bonds, w.neighbours, bondForming(w, t));
   halos.all.maximum({&touch, 1});
@@ -85,14 +87,14 @@ bool bondsForm(World& w, Halos& halos, StepTools& t) {
 /// after, at the same positions.
 void recordEnergyJump(World& w, StepTools& t, double sign) {
   if (sign > 0) {
-    t.rebonded.clear();
-    for (const BondRequest& q : t.requests) {
+    t.solid.rebonded.clear();
+    for (const BondRequest& q : t.solid.requests) {
       const std::uint32_t row = w.solids.particle[q.slot];  // requests of a particle are contiguous
-      if (t.rebonded.empty() || t.rebonded.back() != row) t.rebonded.push_back(row);
+      if (t.solid.rebonded.empty() || t.solid.rebonded.back() != row) t.solid.rebonded.push_back(row);
     }
   }
-  for (const std::uint32_t row : t.rebonded)
-    w.ledger.phaseJump.add(sign * slotEnergy(t.elastic, w.solids, w.bonds, w.particles.slot[row]));
+  for (const std::uint32_t row : t.solid.rebonded)
+    w.ledger.phaseJump.add(sign * slotEnergy(t.solid.elastic, w.solids, w.bonds, w.particles.slot[row]));
 }
 
 /// Number of solid ghosts, an upper bound of remote rows at the start.
@@ -145,23 +147,23 @@ void bondScene(World& w, Halos& halos, StepTools& t) {
                              {requests, false, pairs, mostNeighbours, remotes});
   }
   if (fieldsDeferred(w.bonds, t))
-    for (AnyColumn* c : columnsOfSteps(w.solids, t.elastic)) w.solids.activate(*c);
+    for (AnyColumn* c : columnsOfSteps(w.solids, t.solid.elastic)) w.solids.activate(*c);
   updateBondData(w, halos, t);
-  t.bondsAtStart = false;
+  t.solid.bondsAtStart = false;
 }
 
 /// Makes the bonds of the start or after freezing. Existing stress does not change: F of older ends is taken
 /// into account.
 void makeBonds(World& w, Halos& halos, StepTools& t) {
   Continuum& p = w.particles;
-  if (w.modules.rigidify) deformPassive(t.elastic, w.solids, w.bonds);
+  if (w.modules.rigidify) deformPassive(t.solid.elastic, w.solids, w.bonds);
   prepareBondForming(p, w.solids);
   refresh(halos.cells, p, bondFormingColumns(p)).wait();
-  if (t.bondsAtStart) return bondScene(w, halos, t);
-  t.requests.clear();
-  w.counters.welds += formBonds(p, w.solids, w.bonds, w.neighbours, bondForming(w, t), t.requests);
+  if (t.solid.bondsAtStart) return bondScene(w, halos, t);
+  t.solid.requests.clear();
+  w.counters.welds += formBonds(p, w.solids, w.bonds, w.neighbours, bondForming(w, t), t.solid.requests);
   recordEnergyJump(w, t, 1);
-  rebuildSolidBonds(w, halos, t, {t.requests, true});
+  rebuildSolidBonds(w, halos, t, {t.solid.requests, true});
 }
 
 }  // namespace
@@ -179,10 +181,10 @@ void findElasticEnergy(World& w, const StepTools& t) {
   if (w.solids.energyKnown) return;
   const bool still = atReference(w.solids);
   for (std::size_t s = 0; s < w.solids.owned; s++) {
-    const auto [gradU, energy] = still ? slotStrainAtReference(t.elastic, w.solids, w.bonds, s)
-                                       : slotStrain(t.elastic, w.solids, w.bonds, s);
+    const auto [gradU, energy] = still ? slotStrainAtReference(t.solid.elastic, w.solids, w.bonds, s)
+                                       : slotStrain(t.solid.elastic, w.solids, w.bonds, s);
     w.solids.energy[s] = energy;
-    if (!t.elastic.deformationInSteps) w.solids.deformation[s] = identity3<double>() + gradU;
+    if (!t.solid.elastic.deformationInSteps) w.solids.deformation[s] = identity3<double>() + gradU;
   }
   w.solids.energyKnown = true;
 }
@@ -191,14 +193,14 @@ void findElasticEnergy(World& w, const StepTools& t, std::span<const std::uint32
   if (w.solids.energyKnown) return;
   for (const std::uint32_t i : rows)
     if (const std::uint32_t slot = w.particles.slot[i]; slot != noSlot)
-      w.solids.energy[slot] = slotEnergy(t.elastic, w.solids, w.bonds, slot);
+      w.solids.energy[slot] = slotEnergy(t.solid.elastic, w.solids, w.bonds, slot);
 }
 
 void melt(World& w, Halos halos, StepTools& t) {
   if (!w.solids.melted.active) return;
   markMelted(w.particles, w.solids);
   refresh(halos.bonds, w.solids, ColumnList{&w.solids.melted}).wait();
-  dropMeltedBonds(t.elastic, w.particles, w.solids, w.bonds, w.ledger.phaseJump);
+  dropMeltedBonds(t.solid.elastic, w.particles, w.solids, w.bonds, w.ledger.phaseJump);
   t.times.lap(StepPhase::Bonds);
 }
 
@@ -213,19 +215,19 @@ Exchange deform(World& w, Halos halos, StepTools& t, double dt, SolidExchanges s
   ElasticStep now = elasticStep(t, dt);
   if (!fieldsDeferred(w.bonds, t)) deformAll(w, halos, t, now, std::move(sent.positions));
   if (bondsForm(w, halos, t)) {
-    const bool start = t.bondsAtStart;
+    const bool start = t.solid.bondsAtStart;
     sent.densities.wait();  // since a halo has one refresh in flight
     makeBonds(w, halos, t);
-    t.frozeAnywhere = false;
+    t.phaseChange.frozeAnywhere = false;
     now.dt = 0;  // plastic flow is done
     deformAll(w, halos, t, now, sendPositions(w, halos, t));
     if (!start) recordEnergyJump(w, t, -1);
     now.dt = dt;
   }
   if (w.modules.fracture)
-    w.counters.brokenBonds += breakBonds(t.elastic, w.solids, w.bonds, now, w.ledger.phaseJump);
+    w.counters.brokenBonds += breakBonds(t.solid.elastic, w.solids, w.bonds, now, w.ledger.phaseJump);
   if (w.modules.plastic)
-    w.counters.rereferenced += rereference(t.elastic, w.solids, w.bonds, now, w.ledger.phaseJump);
+    w.counters.rereferenced += rereference(t.solid.elastic, w.solids, w.bonds, now, w.ledger.phaseJump);
   t.times.lap(StepPhase::Elastic);
   Exchange stress = refresh(halos.bonds, w.solids, remoteColumnsBeforeForces(w.solids));
   t.times.lap(StepPhase::Bonds);
@@ -234,13 +236,13 @@ Exchange deform(World& w, Halos halos, StepTools& t, double dt, SolidExchanges s
 
 void addElasticForces(World& w, StepTools& t, double dt, Exchange stress) {
   const ElasticStep now = elasticStep(t, dt / w.clock.substeps);
-  computeElasticForces(t.elastic, w.solids, w.bonds, now, SolidPart::Inner);
+  computeElasticForces(t.solid.elastic, w.solids, w.bonds, now, SolidPart::Inner);
   t.times.lap(StepPhase::Elastic);
   stress.wait();
   t.times.lap(StepPhase::Bonds);
-  computeElasticForces(t.elastic, w.solids, w.bonds, now, SolidPart::Boundary);
+  computeElasticForces(t.solid.elastic, w.solids, w.bonds, now, SolidPart::Boundary);
   w.solids.energyKnown = now.energy;
-  addSolidForces(t.elastic, w.solids, w.particles, dt);
+  addSolidForces(t.solid.elastic, w.solids, w.particles, dt);
   if (w.particles.fastAcceleration.active)
     for (std::size_t s = 0; s < w.solids.owned; s++) {
       const std::uint32_t i = w.solids.particle[s];

@@ -19,7 +19,7 @@ void melt(World& world, Halos halos, StepTools& tools);
 /// columnsOfSteps are unused. Their memory is better allocated once the lists of the start are freed and
 /// remote rows are known. Forming bonds with vectors reads F of their ends.
 inline bool fieldsDeferred(const Bonds& bonds, const StepTools& tools) {
-  return tools.bondsAtStart && !bonds.vectors;
+  return tools.solid.bondsAtStart && !bonds.vectors;
 }
 
 /// Copies positions (velocities, liquid fractions) to the slots and sends them along the bonds. Collective.

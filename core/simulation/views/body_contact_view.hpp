@@ -8,8 +8,8 @@ namespace thaw {
 
 /// step: s, length of steps; dt: s, step that ends now, or 0.
 inline BodyContactView bodyContactView(World& w, StepTools& t, double step, double dt) {
-  return {w.scene,     w.grid,        w.cells, w.solids, w.bonds,
-          w.particles, t.bodyContact, step,    dt,       w.modules.welding};
+  return {w.scene,     w.grid,           w.cells, w.solids, w.bonds,
+          w.particles, t.contact.bodies, step,    dt,       w.modules.welding};
 }
 
 }  // namespace thaw

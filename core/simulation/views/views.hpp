@@ -17,9 +17,10 @@ namespace thaw {
 
 /// dt (s): last step, 0 at the start.
 inline CarryContext carryContext(World& w, StepTools& t, double dt) {
-  return {w.scene,        w.modules,      w.grid,         w.particles, w.neighbours, w.walls,
-          w.startDensity, w.clock,        w.counters,     t.liquids,   t.wallTables, t.inverseLatticeSum,
-          t.carry,        t.wallContacts, t.sleep.steady, dt};
+  return {w.scene,      w.modules,        w.grid,         w.particles,
+          w.neighbours, w.walls,          w.startDensity, w.clock,
+          w.counters,   t.liquids,        t.walls.tables, t.sums.scales.inverseLatticeSum,
+          t.carry,      t.walls.contacts, t.sleep.steady, dt};
 }
 
 inline HeatView heatView(World& w) { return {w.scene, w.modules, w.particles, w.solids, w.clock, w.ledger}; }
@@ -29,13 +30,18 @@ inline RecordContext recordContext(const World& w, const StepTools& t) {
 }
 
 inline EvaporationView evaporationView(World& w, StepTools& t) {
-  return {heatView(w),  recordContext(w, t), w.neighbours, t.wallContacts,
-          t.wallTables, t.inverseLatticeSum, t.selfExcess};
+  return {heatView(w),
+          recordContext(w, t),
+          w.neighbours,
+          t.walls.contacts,
+          t.walls.tables,
+          t.sums.scales.inverseLatticeSum,
+          t.sums.scales.selfExcess};
 }
 
 inline OrientedView orientedView(World& w, StepTools& t) {
-  return {w.oriented, t.oriented, w.particles, w.ledger, w.counters, t.sort, t.times,
-          w.scene,    w.modules,  w.grid,      w.cells,  w.walls,    w.clock};
+  return {w.oriented, t.oriented, w.particles, w.ledger, w.counters, t.redistribution.sort, t.times, w.scene,
+          w.modules,  w.grid,     w.cells,     w.walls,  w.clock};
 }
 
 inline RigidView rigidView(World& w, StepTools& t) {
@@ -48,8 +54,8 @@ inline SheetView sheetView(World& w) {
 }
 
 inline SleepView sleepView(World& w, StepTools& t) {
-  return {w.scene, w.grid,  w.particles, w.cells,    w.neighbours, w.solids, w.bonds,
-          w.walls, w.clock, w.ledger,    w.counters, t.sleep,      t.inner,  t.wallContacts};
+  return {w.scene, w.grid,  w.particles, w.cells,    w.neighbours, w.solids,     w.bonds,
+          w.walls, w.clock, w.ledger,    w.counters, t.sleep,      t.sums.inner, t.walls.contacts};
 }
 
 inline SurfaceView surfaceView(World& w) {

@@ -52,7 +52,7 @@ std::vector<SceneWarning> thickFlows(const World& w, const StepTools& t) {
   if (w.modules.implicitViscosity) return warnings;
   forEachFlowLaw(w, [&](const Material& m) {
     const ThickFlow flow = thickFlowOf(w.scene, m);
-    const double times = t.fixedLimits[Limit::Sound] / flow.step;
+    const double times = t.limits.fixed[Limit::Sound] / flow.step;
     if (!(times > 4 && times < never)) return;
     char text[400];
     std::snprintf(text, sizeof text,
