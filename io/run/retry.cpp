@@ -163,7 +163,7 @@ bool rollBack(Run& r, const StepOutcome& failed, std::string& why) {
   const std::string when = fmt::format("step {}, t {:.9g} s, dt {:.3g} s", clock.step, clock.time,
                                        clock.stepDt);
   std::string problem;
-  if (mayRetry(w, r.tools.limits.monitor)) {
+  if (mayRetry(w.scene.numerics, w.watch, w.clock, r.tools.limits.monitor)) {
     try {
       const std::int64_t mine = w.counters.retries + (r.first() ? 1 : 0);
       restoreLastSnapshot(r);
