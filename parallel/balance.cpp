@@ -59,7 +59,7 @@ bool balance(World& w, CellHalo& halo, StepTools& t, WorkMeter& meter) {
   PhaseTimes spent;
   for (std::size_t k = 0; k < stepPhases; k++) spent.seconds[k] = t.times.seconds[k] - meter.seconds[k];
   meter.seconds = t.times.seconds;
-  if (!needsOrder(w, t)) {  // rows may have left the cells of the last sort
+  if (!needsOrder(w.modules, w.walls, t.solid)) {  // rows may have left the cells of the last sort
     computeCellKeys(w.grid, w.particles);
     listCells(w.particles, w.cells);
   }

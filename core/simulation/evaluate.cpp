@@ -23,20 +23,20 @@ void redistributeAll(StepContext& c) {
 void findDensities(StepContext& c) {
   World& w = c.w;
   StepTools& t = c.t;
-  const bool search = needsNeighbours(w.modules, t);
+  const bool search = needsNeighbours(w.modules, t.solid);
   Exchange ghosts;
-  if (search) ghosts = sendGhosts(c.halos.cells, w.particles, w.cells, ghostColumns(w));
+  if (search) ghosts = sendGhosts(c.halos.cells, w.particles, w.cells, ghostColumns(w.modules, w.particles));
   runPhase(ModulePhase::GhostsSent, c);
   t.times.lap(StepPhase::Exchange);
   clearRates(w.particles, w.modules.uniform);
   if (search) {
     runPhase(ModulePhase::BeforeDensity, c);
-    markInner(w, c.halos.cells, t);
+    markInner(w.cells, w.particles.owned, c.halos.cells, t.sums.inner);
     runPhase(ModulePhase::InnerRows, c);
     sumOverNeighbours(w, t, NeighbourPass::InnerDensity, c.dt);
     ghosts.wait();
     t.times.lap(StepPhase::Exchange);
-    markInner(w, c.halos.cells, t);
+    markInner(w.cells, w.particles.owned, c.halos.cells, t.sums.inner);
     runPhase(ModulePhase::BoundaryRows, c);
     sumOverNeighbours(w, t, NeighbourPass::BoundaryDensity, c.dt);
   }
@@ -99,7 +99,7 @@ void evaluate(StepContext& c) {
   recordProjections(c.walls, t.walls.contacts);
   addContacts(c);
   runPhase(ModulePhase::AllForces, c);
-  if (c.w.modules.neighbours) separateCoincident(c.w, t, coincident);
+  if (c.w.modules.neighbours) separateCoincident(c.w, t.sums.records, coincident);
   t.times.lap(StepPhase::Heat);
   t.hooks.after(HookPhase::Forces);
 }

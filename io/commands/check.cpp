@@ -162,7 +162,7 @@ void describeStart(const CheckedWorld& c, const SamplingReport& sampled, CheckRe
   for (std::size_t k = 0; w.modules.fluid && k < s.materials.size(); k++)
     if (const Material& m = s.materials[k]; canBeLiquid(m) && inUse(s, k))
       r.sounds.push_back({m.name, c.t.liquids[k].soundSpeed, soundSpeedReason(s, m)});
-  if (w.modules.flowLaw) r.flows = flowLawLines(w);
+  if (w.modules.flowLaw) r.flows = flowLawLines(w.scene, w.modules);
 }
 
 /// Adds the warnings of the scene and of its start.
@@ -264,7 +264,8 @@ CheckReport makeReport(const Communicator& comm, const CheckOptions& o) {
   c.simulation.prepare(meshLoader());
   requireMemory(comm, w.modules, w.scene, t.sources.shapes);
   SamplingReport sampled = c.simulation.start(meshLoader());
-  std::ranges::move(emptyRegions(w, meshLoader(), all), std::back_inserter(sampled.warnings));
+  std::ranges::move(emptyRegions(w.scene, w.particles, meshLoader(), all),
+                    std::back_inserter(sampled.warnings));
   const std::vector<OrientedWork::Event> idle = t.oriented.idle;  // at the start
   const std::vector<OrientedWork::Field> unusedFields = t.oriented.unusedFields;
   // Emission and growth in the steps below change these counts.

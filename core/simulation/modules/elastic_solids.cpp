@@ -16,20 +16,25 @@ namespace thaw {
 StepModule elasticSolids() {
   return {
       "solid",
-      [](const World& w, const StepTools&) { return w.modules.solid; },
+      [](const World& w, const TermWork&) { return w.modules.solid; },
       {{ModulePhase::Redistributed,
         [](StepContext& c) {
           StepTools& t = c.t;
           rebuildSolidBonds(c.w, c.halos, t, {{}, t.phaseChange.here || c.leftBonds || t.solid.bondsAtStart});
         }},
-       {ModulePhase::GhostsSent, [](StepContext& c) { c.solidPositions = sendPositions(c.w, c.halos, c.t); }},
+       {ModulePhase::GhostsSent,
+        [](StepContext& c) {
+          c.solidPositions = sendPositions(c.w.particles, c.w.solids, c.w.bonds, c.halos.bonds, c.t.solid);
+        }},
        {ModulePhase::Deformation,
         [](StepContext& c) {
           // F and stress follow; bonds break, form and take new references.
           c.stress = deform(c.w, c.halos, c.t, c.dt, {std::move(c.solidPositions), c.densities});
         }},
        {ModulePhase::ContinuumForce,
-        [](StepContext& c) { addElasticForces(c.w, c.t, c.dt, std::move(c.stress)); }},
+        [](StepContext& c) {
+          addElasticForces(c.w, c.t.solid.elastic, c.t.times, c.dt, std::move(c.stress));
+        }},
        {ModulePhase::PhaseChange,
         [](StepContext& c) {
           World& w = c.w;
@@ -53,7 +58,8 @@ StepModule elasticSolids() {
         }},
        {ModulePhase::EndOfStep, [](StepContext& c) {
           // Here and not in the next step, so that checkpoints contain it.
-          if (c.dt > 0 && c.t.phaseChange.meltedAnywhere) melt(c.w, c.halos, c.t);
+          if (c.dt > 0 && c.t.phaseChange.meltedAnywhere)
+            melt(c.w, c.halos.bonds, c.t.solid.elastic, c.t.times);
         }}}};
 }
 
@@ -89,13 +95,15 @@ double longestWithSlowForces(const StepContext& c, double elastic) {
 
 StepModule solidSubsteps() {
   return {"substeps of solids",
-          [](const World& w, const StepTools&) { return w.modules.substeps; },
+          [](const World& w, const TermWork&) { return w.modules.substeps; },
           {{ModulePhase::Drift,
             [](StepContext& c) {
               substepSolids(c.w, c.halos, c.t, c.dt);  // stiff solids: bonds only, in shorter steps
             }},
            {ModulePhase::Limits,
-            [](StepContext& c) { c.reduction.negatedFastLimit = -fastAccelerationLimit(c.w); }},
+            [](StepContext& c) {
+              c.reduction.negatedFastLimit = -fastAccelerationLimit(c.w.scene, c.w.grid, c.w.particles);
+            }},
            {ModulePhase::CommonLimits,
             [](StepContext& c) {
               StepLimits& limits = c.commonLimits;
@@ -108,8 +116,10 @@ StepModule solidSubsteps() {
                                                         c.w.modules.mostSubsteps);
               limits[Limit::Elastic] = std::min(limits[Limit::Elastic], longest);
             }},
-           {ModulePhase::NextStep,
-            [](StepContext& c) { chooseSubsteps(c.w, c.t, c.w.watch.factor * c.longestSubstep); }}}};
+           {ModulePhase::NextStep, [](StepContext& c) {
+              chooseSubsteps(c.w.modules, c.w.clock, c.w.ledger, c.t.walls.contacts,
+                             c.w.watch.factor * c.longestSubstep);
+            }}}};
 }
 
 }  // namespace thaw

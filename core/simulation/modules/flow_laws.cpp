@@ -8,9 +8,9 @@ namespace thaw {
 
 StepModule flowLaws() {
   return {"flow law",
-          [](const World& w, const StepTools&) { return w.modules.flowLaw; },
+          [](const World& w, const TermWork&) { return w.modules.flowLaw; },
           {{ModulePhase::Density, [](StepContext& c) {
-              findApparentViscosity(c.walls, c.t.walls.contacts, pairSumsOf(c.w, c.t));
+              findApparentViscosity(c.walls, c.t.walls.contacts, pairSumsOf(c.w, c.t.sums));
             }}}};
 }
 

@@ -10,7 +10,7 @@ namespace thaw {
 
 StepModule incompressiblePressure() {
   return {"incompressible liquid",
-          [](const World& w, const StepTools&) { return w.modules.incompressible; },
+          [](const World& w, const TermWork&) { return w.modules.incompressible; },
           {{ModulePhase::FirstKick,
             [](StepContext& c) {
               addPressureImpulse(c.w.particles);  // computed at the end of the last step

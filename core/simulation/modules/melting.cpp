@@ -10,7 +10,7 @@ namespace thaw {
 
 StepModule melting() {
   return {"melting",
-          [](const World& w, const StepTools&) { return w.modules.melting; },
+          [](const World& w, const TermWork&) { return w.modules.melting; },
           {{ModulePhase::ContinuumForce,
             [](StepContext& c) {
               // Derivative of compression and tension with respect to the liquid fraction.
@@ -27,14 +27,14 @@ StepModule melting() {
 
 StepModule densityByPhase() {
   return {"density by phase",
-          [](const World& w, const StepTools&) { return w.modules.phaseDensity; },
+          [](const World& w, const TermWork&) { return w.modules.phaseDensity; },
           {{ModulePhase::ContinuumForce,
             [](StepContext& c) {
-              if (c.w.modules.tension) keepPairEnergy(c.w, c.t);
+              if (c.w.modules.tension) keepPairEnergy(c.w.particles, c.t.phaseChange.energy);
             }},
            {ModulePhase::PhaseChange, [](StepContext& c) {
-              updateRestDensities(heatView(c.w), recordContext(c.w, c.t), c.t.phaseChange.energy.ofPairs,
-                                  c.dt);
+              updateRestDensities(heatView(c.w), recordContext(c.w, c.t.liquids),
+                                  c.t.phaseChange.energy.ofPairs, c.dt);
             }}}};
 }
 

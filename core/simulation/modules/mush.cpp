@@ -9,7 +9,7 @@ namespace thaw {
 StepModule mushDrag() {
   return {
       "mush drag",
-      [](const World& w, const StepTools&) { return w.modules.mushDrag; },
+      [](const World& w, const TermWork&) { return w.modules.mushDrag; },
       {{ModulePhase::Drift,
         [](StepContext& c) {
           applyMush(heatView(c.w), 0.5 * c.dt, c.dt);

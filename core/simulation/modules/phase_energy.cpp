@@ -36,7 +36,8 @@ void recordChanges(StepContext& c) {
   refresh(c.halos.cells, p, changedColumns(c)).wait();
   recordStiffnessChanges(c.w.scene, c.t.phaseChange.energy.touching, next, p, c.w.ledger.phaseJump);
   if (c.w.modules.bodyContact)
-    recordStiffnessChanges(bodyContactView(c.w, c.t, c.walls.span, 0), next, c.w.ledger.phaseJump);
+    recordStiffnessChanges(bodyContactView(c.w, c.t.contact.bodies, c.walls.span, 0), next,
+                           c.w.ledger.phaseJump);
   recordPairEnergyChange(c.w, c.t);
 }
 
@@ -45,13 +46,14 @@ void recordChanges(StepContext& c) {
 StepModule energyOfPhaseChange() {
   return {
       "energy of phase changes",
-      [](const World& w, const StepTools&) { return w.modules.melting; },
+      [](const World& w, const TermWork&) { return w.modules.melting; },
       {{ModulePhase::AllForces,
         [](StepContext& c) { rememberSprings(c.walls, c.t.walls.contacts, c.t.phaseChange.energy.springs); }},
        {ModulePhase::Limits,
         [](StepContext& c) {
           if (changesStiffness(c.t.phaseChange.energy.touching, c.w.particles) ||
-              changesStiffness(c.t.contact.bodies, c.w.particles) || pairEnergyChanges(c.w, c.t))
+              changesStiffness(c.t.contact.bodies, c.w.particles) ||
+              pairEnergyChanges(c.w, c.t.terms, c.t.phaseChange.energy))
             c.reduction.pairsChange = 1;
         }},
        {ModulePhase::EndOfStep, [](StepContext& c) {

@@ -7,7 +7,7 @@ namespace thaw {
 
 StepModule sleepOfSolids() {
   return {"sleep",
-          [](const World& w, const StepTools&) { return w.modules.sleep; },
+          [](const World& w, const TermWork&) { return w.modules.sleep; },
           {{ModulePhase::WallContacts, [](StepContext& c) { beginSleep(sleepView(c.w, c.t), c.dt); }},
            {ModulePhase::InnerRows, [](StepContext& c) { markSleepingInner(sleepView(c.w, c.t)); }},
            {ModulePhase::BoundaryRows, [](StepContext& c) { markSleeping(sleepView(c.w, c.t)); }},

@@ -8,7 +8,7 @@ namespace thaw {
 StepModule solidContact() {
   return {
       "contact of solids",
-      [](const World& w, const StepTools&) { return w.modules.contact; },
+      [](const World& w, const TermWork&) { return w.modules.contact; },
       {{ModulePhase::Contact,
         [](StepContext& c) {
           World& w = c.w;

@@ -33,8 +33,8 @@ void recordTerms(StepContext& c, HalfKick kick) {
     if (term.part->recordKick) term.part->recordKick(loadOf(c), kick);
 }
 
-bool hasTerms(const StepTools& t, LoadStage stage) {
-  return std::any_of(t.terms.active.begin(), t.terms.active.end(),
+bool hasTerms(const TermWork& terms, LoadStage stage) {
+  return std::any_of(terms.active.begin(), terms.active.end(),
                      [&](const ActiveTerm& term) { return term.part->stage == stage; });
 }
 
@@ -52,7 +52,7 @@ void recordLoads(StepContext& c, HalfKick kick) {
 /// Always on: a program may add loads during a run (Simulation::addForce), and a checkpoint may have some.
 StepModule outsideLoads() {
   return {"loads from outside",
-          [](const World&, const StepTools&) { return true; },
+          [](const World&, const TermWork&) { return true; },
           {{ModulePhase::FirstKick, [](StepContext& c) { recordLoads(c, HalfKick::First); }},
            {ModulePhase::AllForces,
             [](StepContext& c) {
@@ -63,7 +63,7 @@ StepModule outsideLoads() {
 
 StepModule bodyForces() {
   return {"body forces",
-          [](const World&, const StepTools& t) { return hasTerms(t, LoadStage::Forces); },
+          [](const World&, const TermWork& terms) { return hasTerms(terms, LoadStage::Forces); },
           {{ModulePhase::FirstKick, [](StepContext& c) { recordTerms(c, HalfKick::First); }},
            {ModulePhase::ContinuumForce, [](StepContext& c) { addTerms(c, LoadStage::Forces); }},
            {ModulePhase::SecondKick, [](StepContext& c) { recordTerms(c, HalfKick::Second); }}}};
@@ -71,13 +71,13 @@ StepModule bodyForces() {
 
 StepModule heatExchange() {
   return {"heat exchange",
-          [](const World&, const StepTools& t) { return hasTerms(t, LoadStage::Exchange); },
+          [](const World&, const TermWork& terms) { return hasTerms(terms, LoadStage::Exchange); },
           {{ModulePhase::AllForces, [](StepContext& c) { addTerms(c, LoadStage::Exchange); }}}};
 }
 
 StepModule heatSources() {
   return {"heat sources",
-          [](const World&, const StepTools& t) { return hasTerms(t, LoadStage::Sources); },
+          [](const World&, const TermWork& terms) { return hasTerms(terms, LoadStage::Sources); },
           {{ModulePhase::AllForces, [](StepContext& c) {
               Continuum& p = c.w.particles;
               if (p.absorbed.active) std::fill_n(p.absorbed.data(), p.owned, 0.0f);
@@ -87,8 +87,8 @@ StepModule heatSources() {
 
 StepModule limitsOfTerms() {
   return {"limits of terms",
-          [](const World&, const StepTools& t) {
-            return std::any_of(t.terms.active.begin(), t.terms.active.end(),
+          [](const World&, const TermWork& terms) {
+            return std::any_of(terms.active.begin(), terms.active.end(),
                                [](const ActiveTerm& term) { return term.part->stepLimit != nullptr; });
           },
           {{ModulePhase::Limits, [](StepContext& c) {

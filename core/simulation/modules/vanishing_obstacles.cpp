@@ -9,7 +9,7 @@ namespace thaw {
 /// Energy of obstacles with an end (Obstacle::until).
 StepModule vanishingObstacles() {
   return {"obstacles that vanish",
-          [](const World& w, const StepTools&) {
+          [](const World& w, const TermWork&) {
             return std::any_of(w.walls.list.begin(), w.walls.list.end(),
                                [](const Wall& wall) { return wall.properties.until < never; });
           },

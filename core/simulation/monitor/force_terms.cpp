@@ -48,7 +48,8 @@ ForceTerms forceTerms(World& w, StepTools& t, std::size_t i) {
     take(f.contact, forceOf(p, i, [&] {
            addSolidContacts({w.scene, w.grid, w.solids, w.bonds, dt > 0 ? dt : w.clock.dt},
                             t.contact.closePairs, p);
-           if (w.modules.bodyContact) addBodyContacts(bodyContactView(w, t, dt > 0 ? dt : w.clock.dt, 0), {});
+           if (w.modules.bodyContact)
+             addBodyContacts(bodyContactView(w, t.contact.bodies, dt > 0 ? dt : w.clock.dt, 0), {});
          }));
   const WallContext walls{wallView(w), t.walls.tables,           t.liquids,
                           dt,          dt > 0 ? dt : w.clock.dt, 1.0 / w.clock.substeps};

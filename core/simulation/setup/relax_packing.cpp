@@ -30,11 +30,11 @@ void kernelGradients(World& w, Halos& halos, StepTools& t) {
   if (p.slot.active)
     for (std::size_t i = 0; i < p.owned; i++) p.slot[i] = noSlot;
   sortByCell(p, m, t.redistribution.sort, w.cells);
-  sendGhosts(halos.cells, p, w.cells, ghostColumns(w)).wait();
+  sendGhosts(halos.cells, p, w.cells, ghostColumns(w.modules, p)).wait();
   clearRates(w.particles);
-  markInner(w, halos.cells, t);
+  markInner(w.cells, p.owned, halos.cells, t.sums.inner);
   t.sums.ghostRoom = std::max(t.sums.ghostRoom, p.ghosts);
-  sumUnitPressure(w, t);
+  sumUnitPressure(w, t.liquids, t.sums);
 }
 
 /// By body: 1 if it is relaxed and none of its particles is within range of a wall, which would constrain it.
@@ -69,7 +69,7 @@ int relaxDensity(World& w, Halos& halos, StepTools& t, const std::vector<std::ui
   if (std::find(moves.begin(), moves.end(), 1) == moves.end()) return 0;
   for (int k = 0; k < densityRelaxationIterations; k++) {
     kernelGradients(w, halos, t);
-    sumExcessPressure(w, halos.cells, t);
+    sumExcessPressure(w, halos.cells, t.liquids, t.sums);
     double excess = 0;
     for (std::size_t i = 0; i < p.owned; i++)
       if (p.phase[i] == Liquid && moves[p.body[i]])

@@ -82,9 +82,9 @@ void recordStored(World& w, StepTools& t, double sign, ExactSum& to) {
 }
 
 /// Frees the buffers of the first sorts, which cover all rows.
-void dropBuffersOfStart(Continuum& particles, StepTools& t) {
+void dropBuffersOfStart(Continuum& particles, SortBuffers& sort) {
   particles.shrink();
-  t.redistribution.sort = {};
+  sort = {};
   trimFreedMemory();
 }
 
@@ -106,17 +106,16 @@ double fallHeightOf(const Scene& s, const std::vector<std::shared_ptr<const Sign
 }
 
 /// Largest distance (m) at which something interacts with an obstacle.
-double reachOfWalls(const World& w) {
-  double reach = std::max({w.grid.edge.x, w.grid.edge.y, w.grid.edge.z});
-  for (const SheetPlan& plan : w.sheets.plans) reach = std::max(reach, 2 * plan.thickness);
-  for (const OrientedBody& b : w.scene.oriented)
-    reach = std::max(reach, 2 * b.thickness * spacingOf(w.scene, b));
+double reachOfWalls(const Scene& scene, const CellGrid& grid, const SheetBodies& sheets) {
+  double reach = std::max({grid.edge.x, grid.edge.y, grid.edge.z});
+  for (const SheetPlan& plan : sheets.plans) reach = std::max(reach, 2 * plan.thickness);
+  for (const OrientedBody& b : scene.oriented) reach = std::max(reach, 2 * b.thickness * spacingOf(scene, b));
   return reach;
 }
 
 /// Adds the walls of obstacles and of the domain, and the shapes of bodies and terms. Throws with all
 /// unreadable meshes and their places in the scene.
-void makeShapes(World& w, StepTools& t, const MeshLoader& load) {
+void makeShapes(World& w, ParticleSources& sources, TermWork& terms, const MeshLoader& load) {
   SceneProblems problems;
   for (const Obstacle& o : w.scene.obstacles) {
     Wall wall;
@@ -130,9 +129,9 @@ void makeShapes(World& w, StepTools& t, const MeshLoader& load) {
   std::vector<std::shared_ptr<const SignedDistance>> shapes;
   for (const Body& b : w.scene.bodies)
     shapes.push_back(makeSignedDistance(b.shape, load, "body '" + b.name + "'", problems));
-  startTerms(w, t, load, problems);
+  startTerms(w.scene, w.modules, terms, load, problems);
   problems.raise();
-  t.sources.shapes = std::move(shapes);
+  sources.shapes = std::move(shapes);
 }
 
 /// Sets the liquids, the contacts of body types with them, and the limits of the step.
@@ -142,7 +141,7 @@ void planLiquidsAndLimits(World& w, StepTools& t) {
   if (w.modules.oriented) t.oriented.obstacles = planObstacleContact(w.scene);
   if (w.modules.orientedContact) t.oriented.contacts = planOrientedContact(w.scene, t.liquids);
   t.limits.fixed = materialLimits(w.scene, w.modules, t.liquids);
-  addExtensions(w, t);
+  addExtensions(w, t.terms, t.limits.fixed);
   if (w.modules.substeps && (!w.modules.contact || w.modules.rareContact))
     std::swap(t.limits.longestContact, t.limits.fixed[Limit::Contact]);
   t.limits.monitor = monitorLimits(w.scene, w.modules, t.liquids, t.limits.fixed);
@@ -197,13 +196,13 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   if (w.modules.surface) prepareSurface(w);
   w.clock.end = w.scene.end;
   w.clock.every = w.scene.output.every;
-  makeShapes(w, t, load);
+  makeShapes(w, t.sources, t.terms, load);
   if (w.modules.sheet) prepareSheets(w.sheets, w.scene, load);
   if (const double reach = std::max(faceContactReach(w.sheets.plans),
                                     meshContactReach(w.scene, w.sheets.plans));
       reach > w.grid.edge.x)
     w.grid = makeGrid(w.scene, reach);
-  addWallImages(w.scene.domain, reachOfWalls(w), w.walls);
+  addWallImages(w.scene.domain, reachOfWalls(w.scene, w.grid, w.sheets), w.walls);
   w.scene.fallHeight = fallHeightOf(w.scene, t.sources.shapes);
   t.sources.emitters = planEmitters(w.scene);
   w.scene.expected = expectedMotion(w.scene, t.sources.shapes, w.walls, t.sources.emitters);
@@ -213,9 +212,9 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   planLiquidsAndLimits(w, t);
   setScales(w, t);
   if (actsByCurvature(w.scene.numerics, w.modules)) declareTensionForce(w.particles);
-  activateFields(w, t);
+  activateFields(w, t.terms, t.solid.elastic);
   prepareBodyContact(w.scene, w.grid, t.contact.bodies);
-  t.phases = phasesOf(w, t);
+  t.phases = phasesOf(w, t.terms);
 }
 
 void initializeForces(World& w, Halos halos, StepTools& t) {
@@ -224,7 +223,7 @@ void initializeForces(World& w, Halos halos, StepTools& t) {
   const double fixed = w.scene.numerics.fixedStep;
   // Used until particle limits are known.
   w.clock.dt = fixed > 0 ? fixed : t.limits.fixed[t.limits.fixed.smallest()];
-  if (fieldsDeferred(w.bonds, t))
+  if (fieldsDeferred(w.bonds, t.solid))
     for (AnyColumn* c : columnsOfSteps(w.solids, t.solid.elastic)) w.solids.deactivate(*c);
   evaluateNow(w, halos, t);
   if (!w.modules.neighbours) {  // only needed for the bonds of the start
@@ -232,7 +231,7 @@ void initializeForces(World& w, Halos halos, StepTools& t) {
     t.sums.records = {};
     t.sums.search = {};
   }
-  dropBuffersOfStart(w.particles, t);
+  dropBuffersOfStart(w.particles, t.redistribution.sort);
   t.mass = totalMass(w.particles, halos.all);
   const LedgerReport now = reportLedger(w, t, halos.all);
   w.ledger.initial = now.now;
@@ -253,7 +252,7 @@ SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader&
   t.rigid.atStart = w.modules.rigid && !w.modules.rigidify;
   t.sources.emitFirst = true;
   initializeForces(w, halos, t);
-  for (SceneWarning& warning : compressedLiquids(w, t, halos.all))
+  for (SceneWarning& warning : compressedLiquids(w, t.liquids, halos.all))
     report.warnings.push_back(std::move(warning));
   w.startDensity = {};
   return report;
@@ -284,16 +283,16 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   if (w.modules.rigid) {
     t.rigid = {};
     t.rigid.departed.assign(w.pieces.id.data(), w.pieces.id.data() + w.pieces.owned);
-    linkPieces(rigidView(w, t), halos, PieceUsers::Owned);
+    linkPieces(rigidView(w, t.rigid), halos, PieceUsers::Owned);
   }
   const CellCosts costs = countCells(w);
   halos.cells.rebalance(costs.cells, costs.cost, true);
   t.redistribution.newPartition = true;
-  if (w.modules.bodyTypes())
-    redistributeBodyTypes(w, halos, t);  // after the ghosts they equal the state of the last step
+  // After the ghosts they equal the state of the last step.
+  if (w.modules.bodyTypes()) redistributeBodyTypes(w, halos, t.redistribution);
   if (w.modules.oriented) updateNeighbours(w.oriented, w.scene, halos, t.oriented.lists);
   t.oriented.time = w.clock.time;
-  dropBuffersOfStart(w.particles, t);
+  dropBuffersOfStart(w.particles, t.redistribution.sort);
   t.mass = totalMass(w.particles, halos.all);
   double froze = 0;
   if (p.justFrozen.active)

@@ -25,13 +25,13 @@ inline CarryContext carryContext(World& w, StepTools& t, double dt) {
 
 inline HeatView heatView(World& w) { return {w.scene, w.modules, w.particles, w.solids, w.clock, w.ledger}; }
 
-inline RecordContext recordContext(const World& w, const StepTools& t) {
-  return {w.scene, w.modules, w.grid, t.liquids, w.clock.substeps};
+inline RecordContext recordContext(const World& w, const std::vector<LiquidMaterial>& liquids) {
+  return {w.scene, w.modules, w.grid, liquids, w.clock.substeps};
 }
 
 inline EvaporationView evaporationView(World& w, StepTools& t) {
   return {heatView(w),
-          recordContext(w, t),
+          recordContext(w, t.liquids),
           w.neighbours,
           t.walls.contacts,
           t.walls.tables,
@@ -44,9 +44,9 @@ inline OrientedView orientedView(World& w, StepTools& t) {
           w.modules,  w.grid,     w.cells,     w.walls,  w.clock};
 }
 
-inline RigidView rigidView(World& w, StepTools& t) {
-  return {w.scene,  w.grid,  w.particles, w.cells, w.pieces,  w.walls,
-          w.ledger, t.rigid, w.modules,   w.clock, w.counters};
+inline RigidView rigidView(World& w, RigidWork& rigid) {
+  return {w.scene,  w.grid, w.particles, w.cells, w.pieces,  w.walls,
+          w.ledger, rigid,  w.modules,   w.clock, w.counters};
 }
 
 inline SheetView sheetView(World& w) {
