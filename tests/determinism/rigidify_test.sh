@@ -56,7 +56,8 @@ every = 0.02
 fields = ["velocity", "temperature", "liquid", "stress", "strain"]
 SCENE
 same() { sameRuns "$1" "$2" "$3" "frames/rigid_parts.hdf.series"; }
-sameOnAllRanks $scene 260 "60 130 200" "$work/$scene.toml"
+# Some particles become elastic in step 104, which ends with a frame. The resumed runs do not have their F.
+sameOnAllRanks $scene 260 "60 100 130 200" "$work/$scene.toml"
 for count in melted frozen; do
   [ "$(value "$work/$scene.1/summary.json" $count)" -gt 0 ] || fail "$scene: nothing $count"
 done

@@ -2,6 +2,7 @@
 #include "core/solid/elasticity/active_slots.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "core/solid/elasticity/elastic_records.hpp"
 #include "core/solid/elasticity/slot_state.hpp"
@@ -39,13 +40,23 @@ void clearSlot(Solids& solids, std::size_t slot) {
   if (solids.dissipated.active) solids.dissipated[slot] = 0;
 }
 
+void deformSlot(const ElasticWork& work, Solids& solids, const Bonds& bonds, std::size_t slot) {
+  solids.deformation[slot] = identity3<double>() + slotGradient(work, solids, bonds, slot);
+}
+
 }  // namespace
 
 void chooseActiveSlots(ElasticWork& work, Solids& solids, const Bonds& bonds, const SlotPieces& pieces) {
+  std::vector<std::uint8_t> wasPassive;
+  if (work.sleeping) wasPassive.swap(work.held);
   work.held.assign(solids.owned, 0);
   work.sleeping = false;
   for (std::size_t s = 0; s < solids.owned; s++) {
-    if (!insidePiece(work, bonds, s, pieces)) continue;
+    if (!insidePiece(work, bonds, s, pieces)) {
+      // The last evaluation left out F, and a frame may be written before the next one.
+      if (s < wasPassive.size() && wasPassive[s] != 0) deformSlot(work, solids, bonds, s);
+      continue;
+    }
     work.held[s] = 1;
     work.sleeping = true;
     clearSlot(solids, s);
@@ -78,8 +89,7 @@ bool anyActiveSlot(const ElasticWork& work, const Solids& solids) {
 
 void deformPassive(const ElasticWork& work, Solids& solids, const Bonds& bonds) {
   for (std::size_t s = 0; s < solids.owned; s++)
-    if (isPassive(work, s))
-      solids.deformation[s] = identity3<double>() + slotGradient(work, solids, bonds, s);
+    if (isPassive(work, s)) deformSlot(work, solids, bonds, s);
 }
 
 }  // namespace thaw

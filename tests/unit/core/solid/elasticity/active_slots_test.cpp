@@ -102,5 +102,31 @@ TEST(ActiveSlots, WithoutPiecesAllAreActive) {
   EXPECT_FALSE(activeSlotsKnown(b->work, b->solids));
 }
 
+// A slot that arrives from another rank while it is passive has no F, unlike one that stayed.
+TEST(ActiveSlots, SlotsThatBecomeActiveHaveTheirDeformation) {
+  const std::vector<Vec3d> points = lattice({5, 5, 5}, 0.1, 0.05);
+  const auto b = makeBody(points, {elasticMaterial()});
+  moveAll(*b, points, stretched);
+  computeForces(*b);
+  const std::vector<Mat3d> deformed(b->solids.deformation.data(),
+                                    b->solids.deformation.data() + points.size());
+  SlotPieces pieces;
+  pieces.resize(points.size(), 0);
+  for (std::size_t s = 0; s < points.size(); s++) pieces.piece[s] = 1;
+  for (std::size_t s = 0; s < points.size(); s++) b->solids.deformation[s] = {};
+  chooseActiveSlots(b->work, b->solids, b->bonds, pieces);
+  for (std::size_t s = 0; s < points.size(); s++) pieces.piece[s] = points[s].x < 0.25 ? 1 : 0;
+  chooseActiveSlots(b->work, b->solids, b->bonds, pieces);
+  std::size_t active = 0;
+  for (std::size_t s = 0; s < points.size(); s++) {
+    if (isPassive(b->work, s)) continue;
+    active++;
+    for (int r = 0; r < 3; r++)
+      EXPECT_LT(length(b->solids.deformation[s].row[r] - deformed[s].row[r]), 1e-12) << "slot " << s;
+  }
+  EXPECT_GT(active, 50u);
+  EXPECT_LT(active, points.size());
+}
+
 }  // namespace
 }  // namespace thaw
