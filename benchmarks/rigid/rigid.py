@@ -178,7 +178,7 @@ def page(rows, estimated, melted):
         "- **incline**: a box on a plane at 0.5 rad; speed after 1 s. It sticks from a friction of 0.546 on.",
         "- **restitution**: root of the ratio of heights, after a fall of 1 m.",
         "- **stack**: ten boxes turned against each other, for 10 s.",
-        "- **pile**: boxes and balls of 20 to 36 particles fall into a bin, for 6 s. Rolling friction is 10 mm.",
+        "- **pile**: boxes and balls of 20 to 36 particles fall into a bin, for 6 s. Rolling friction 10 mm.",
         "",
         "## Time of a soft scene that melts",
         "",
