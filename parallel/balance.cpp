@@ -59,14 +59,15 @@ bool balance(World& w, CellHalo& halo, StepTools& t, WorkMeter& meter) {
   PhaseTimes spent;
   for (std::size_t k = 0; k < stepPhases; k++) spent.seconds[k] = t.times.seconds[k] - meter.seconds[k];
   meter.seconds = t.times.seconds;
-  if (!needsOrder(w, t)) {  // rows may have left the cells of the last sort
+  if (!needsOrder(w.modules, w.walls, t.solid)) {  // rows may have left the cells of the last sort
     computeCellKeys(w.grid, w.particles);
     listCells(w.particles, w.cells);
   }
   CellCosts costs = costOfCells(w, costsOf(w, spent));
   for (double& c : costs.cost) c = std::max(1e-12, c);
-  t.newPartition = halo.rebalance(costs.cells, costs.cost, false) || t.newPartition;
-  return t.newPartition;
+  bool& moved = t.redistribution.newPartition;
+  moved = halo.rebalance(costs.cells, costs.cost, false) || moved;
+  return moved;
 }
 
 }  // namespace thaw

@@ -61,7 +61,8 @@ struct PairForce {
     const double h = w.grid.support, q = distance / h, V = p.mass[i] / m.density / (h * h * h),
                  U = p.mass[j] / m.density / (h * h * h);
     const double slope = isa_base::WendlandC2::slope(q * q);
-    const double pressure = -V * U * (term(i) + term(j)) * slope * t.inverseLatticeSum * q * h * h;
+    const double pressure = -V * U * (term(i) + term(j)) * slope * t.sums.scales.inverseLatticeSum * q * h *
+                            h;
     if (w.scene.numerics.tension != TensionForm::Pairwise) return pressure;
     return pressure - isa_base::Cohesion::scale * V * U * m.surfaceTension * h * isa_base::Cohesion::force(q);
   }

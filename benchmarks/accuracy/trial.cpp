@@ -50,7 +50,7 @@ void surfaceAfterStep(Trial& r, double move2) {
       w.clock.time < w.clock.end)
     return;
   const double begin = processorSeconds();
-  if (w.modules.solid) findElasticEnergy(w, r.tools);
+  if (w.modules.solid) findElasticEnergy(w.solids, w.bonds, r.tools.solid.elastic);
   updateSurface(surfaceView(w), r.surface->halos(), r.surfaceTools);
   r.updateSeconds += processorSeconds() - begin;
   countFrames(w.clock);

@@ -22,7 +22,7 @@ void neighbours(Figures& figures) {
     std::size_t found = 0;
     for (int repeat = 0; repeat < 5; repeat++) {
       auto start = std::chrono::steady_clock::now();
-      redistributeBodyTypes(x.w, x.halos(), x.tools);
+      redistributeBodyTypes(x.w, x.halos(), x.tools.redistribution);
       bySort = std::min(bySort, seconds(start));
       start = std::chrono::steady_clock::now();
       updateNeighbours(x.w.oriented, x.w.scene, x.halos(), x.tools.oriented.lists);

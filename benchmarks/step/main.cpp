@@ -223,7 +223,7 @@ Measurement measured(const Communicator& comm, const Case& c, const Options& o, 
   m.setUp = mostOf(comm, secondsSince(setUp));
   m.ranks = comm.size();
   m.particles = sumOver(comm, static_cast<double>(rig.w.particles.owned));
-  m.instructions = rig.tools.kernels->name;
+  m.instructions = rig.tools.sums.kernels->name;
   rig.settle();
   const double warm = timeSteps(rig, comm, 3);
   const int steps = std::max(1, static_cast<int>(std::lround(o.seconds / warm)));

@@ -16,27 +16,27 @@ namespace {
 void redistributeAll(StepContext& c) {
   c.leftBonds = redistribute(c.w, c.halos, c.t, c.dt);  // emit, remove, migrate, sort by (cell, id)
   runPhase(ModulePhase::Redistributed, c);
-  c.t.phaseChangedHere = false;
+  c.t.phaseChange.here = false;
 }
 
 /// Finds neighbours and sums densities. Inner particles are summed while surrounding cells are exchanged.
 void findDensities(StepContext& c) {
   World& w = c.w;
   StepTools& t = c.t;
-  const bool search = needsNeighbours(w.modules, t);
+  const bool search = needsNeighbours(w.modules, t.solid);
   Exchange ghosts;
-  if (search) ghosts = sendGhosts(c.halos.cells, w.particles, w.cells, ghostColumns(w));
+  if (search) ghosts = sendGhosts(c.halos.cells, w.particles, w.cells, ghostColumns(w.modules, w.particles));
   runPhase(ModulePhase::GhostsSent, c);
   t.times.lap(StepPhase::Exchange);
   clearRates(w.particles, w.modules.uniform);
   if (search) {
     runPhase(ModulePhase::BeforeDensity, c);
-    markInner(w, c.halos.cells, t);
+    markInner(w.cells, w.particles.owned, c.halos.cells, t.sums.inner);
     runPhase(ModulePhase::InnerRows, c);
     sumOverNeighbours(w, t, NeighbourPass::InnerDensity, c.dt);
     ghosts.wait();
     t.times.lap(StepPhase::Exchange);
-    markInner(w, c.halos.cells, t);
+    markInner(w.cells, w.particles.owned, c.halos.cells, t.sums.inner);
     runPhase(ModulePhase::BoundaryRows, c);
     sumOverNeighbours(w, t, NeighbourPass::BoundaryDensity, c.dt);
   }
@@ -75,11 +75,11 @@ void findForces(StepContext& c) {
 void addContacts(StepContext& c) {
   runPhase(ModulePhase::Contact, c);
   c.t.times.lap(StepPhase::Contact);
-  if (c.w.particles.wallOffset.active) findWallOffsets(c.walls.world, c.t.wallContacts, c.w.bonds);
-  addWallForces(c.walls, c.t.inverseLatticeSum, c.t.wallContacts);
+  if (c.w.particles.wallOffset.active) findWallOffsets(c.walls.world, c.t.walls.contacts, c.w.bonds);
+  addWallForces(c.walls, c.t.sums.scales.inverseLatticeSum, c.t.walls.contacts);
   c.t.times.lap(StepPhase::Walls);
   runPhase(ModulePhase::Coupling, c);
-  recordClamps(c.walls, c.t.wallContacts);
+  recordClamps(c.walls, c.t.walls.contacts);
 }
 
 }  // namespace
@@ -89,17 +89,17 @@ void evaluate(StepContext& c) {
   redistributeAll(c);
   t.hooks.after(HookPhase::Redistribute);
   // First, since it projects particles out of walls: ghosts and bonds must use the new positions.
-  findWallContacts(c.walls, t.wallContacts);
+  findWallContacts(c.walls, t.walls.contacts);
   t.times.lap(StepPhase::Walls);
   runPhase(ModulePhase::WallContacts, c);
   const std::int64_t coincident = c.w.counters.coincidentPairs;
   findDensities(c);
   t.hooks.after(HookPhase::Density);
   findForces(c);
-  recordProjections(c.walls, t.wallContacts);
+  recordProjections(c.walls, t.walls.contacts);
   addContacts(c);
   runPhase(ModulePhase::AllForces, c);
-  if (c.w.modules.neighbours) separateCoincident(c.w, t, coincident);
+  if (c.w.modules.neighbours) separateCoincident(c.w, t.sums.records, coincident);
   t.times.lap(StepPhase::Heat);
   t.hooks.after(HookPhase::Forces);
 }

@@ -20,8 +20,8 @@ template<class... Vectors> double bytesOf(const Vectors&... v) {
 std::vector<MemoryUse> memoryOf(const World& w, const StepTools& t) {
   const NeighbourLists& n = w.neighbours;
   const Bonds& b = w.bonds;
-  const ElasticWork& e = t.elastic;
-  const PairRecords& r = t.records;
+  const ElasticWork& e = t.solid.elastic;
+  const PairRecords& r = t.sums.records;
   const Surface& f = w.surface;
   const OrientedWork& o = t.oriented;
   const Bonds& edges = w.sheets.edges.bonds;
@@ -34,7 +34,7 @@ std::vector<MemoryUse> memoryOf(const World& w, const StepTools& t) {
                      bytesOf(static_cast<const Table&>(w.sheets.edges.ends)) +
                      static_cast<double>(edges.bytes()) + bytesOf(w.sheets.slope)},
       {"solids", bytesOf(static_cast<const Table&>(w.solids))},
-      {"cells", bytesOf(w.cells.key, w.cells.first, w.cells.count, t.inner, t.liquidCells)},
+      {"cells", bytesOf(w.cells.key, w.cells.first, w.cells.count, t.sums.inner, t.sums.liquidCells)},
       {"neighbour lists", bytesOf(n.self, n.first, n.count, n.list, n.fluid, n.neighbours)},
       {"pair records", bytesOf(r.fixed, r.middle, r.coarse[0], r.coarse[1], r.coarse[2], r.positionVolume,
                                r.velocityViscosity, r.pressurePhaseHeat, r.surface, r.pressureDiagonal,
@@ -48,12 +48,15 @@ std::vector<MemoryUse> memoryOf(const World& w, const StepTools& t) {
                       bytesOf(f.surfelCells.key, f.surfelCells.first, f.surfelCells.count,
                               f.particleCells.key, f.particleCells.first, f.particleCells.count)},
       {"walls and contacts",
-       bytesOf(t.wallContacts.list, t.closePairs.list, t.contactResistance, t.bodyContact.pairs,
-               t.bodyContact.rows, t.bodyContact.resistance, t.phaseEnergy.ofPairs, t.phaseEnergy.inPairs,
-               t.phaseEnergy.liquid, t.phaseEnergy.springs, t.phaseEnergy.touching, t.phaseEnergy.energy,
-               t.phaseEnergy.dissipation, t.phaseEnergy.force)},
-      {"sort and search", bytesOf(t.sort.gone, t.sort.movers, t.sort.before, t.sort.order, t.sort.moves.runs,
-                                  t.sort.moves.singles, t.search.x, t.search.y, t.search.z, t.search.entry)}};
+       bytesOf(t.walls.contacts.list, t.contact.closePairs.list, t.contact.resistance, t.contact.bodies.pairs,
+               t.contact.bodies.rows, t.contact.bodies.resistance, t.phaseChange.energy.ofPairs,
+               t.phaseChange.energy.inPairs, t.phaseChange.energy.liquid, t.phaseChange.energy.springs,
+               t.phaseChange.energy.touching, t.phaseChange.energy.energy, t.phaseChange.energy.dissipation,
+               t.phaseChange.energy.force)},
+      {"sort and search", bytesOf(t.redistribution.sort.gone, t.redistribution.sort.movers,
+                                  t.redistribution.sort.before, t.redistribution.sort.order,
+                                  t.redistribution.sort.moves.runs, t.redistribution.sort.moves.singles,
+                                  t.sums.search.x, t.sums.search.y, t.sums.search.z, t.sums.search.entry)}};
 }
 
 double totalBytes(const std::vector<MemoryUse>& use) {

@@ -18,15 +18,16 @@ namespace thaw {
 namespace {
 
 /// Appends the particles of layers that leave in (before, after] whose cell this rank owns.
-std::size_t emit(World& w, Halos& halos, const StepTools& t, double before, double after, bool first) {
+std::size_t emit(World& w, const CellHalo& halo, const ParticleSources& sources, double before,
+                 double after) {
   Continuum& p = w.particles;
   const std::size_t had = p.owned;
   for (std::size_t e = 0; e < w.scene.emitters.size(); e++) {
     const Emitter& emitter = w.scene.emitters[e];
-    const EmitterPlan& plan = t.emitters[e];
+    const EmitterPlan& plan = sources.emitters[e];
     const Material& m = w.scene.materials[static_cast<std::size_t>(emitter.material)];
     const Vec3d direction = normalized(emitter.direction);
-    const std::int64_t begin = first ? 0 : layersUntil(emitter, plan, before),
+    const std::int64_t begin = sources.emitFirst ? 0 : layersUntil(emitter, plan, before),
                        end = layersUntil(emitter, plan, after);
     for (std::int64_t layer = begin; layer < end; layer++) {
       const double age = after - leavingTime(emitter, plan, layer);  // negative in the nozzle
@@ -36,7 +37,7 @@ std::size_t emit(World& w, Halos& halos, const StepTools& t, double before, doub
                                               : plan.layer[k] + velocity * age;
         const double temperature = plan.temperature.empty() ? emitter.temperature : plan.temperature[k];
         const std::uint64_t cell = cellKey(cellOf(w.grid, x));
-        if (!halos.cells.owns(cell)) continue;
+        if (!halo.owns(cell)) continue;
         const std::size_t i = p.owned;
         p.resize(i + 1, 0);
         const std::uint64_t source = w.scene.bodies.size() + e;
@@ -82,9 +83,9 @@ void findCells(World& w, std::vector<std::uint32_t>& leaving, bool keys, bool op
 /// energy is that after the second half kick, as for the particles that stay.
 void recordLeaving(World& w, const StepTools& t, double dt) {
   const Continuum& p = w.particles;
-  findStoredEnergy(w, t, t.leaving);
-  addToBalance(w, t.leaving, w.ledger.left);
-  for (const std::uint32_t i : t.leaving) {
+  findStoredEnergy(w, t, t.redistribution.leaving);
+  addToBalance(w, t.redistribution.leaving, w.ledger.left);
+  for (const std::uint32_t i : t.redistribution.leaving) {
     const Vec3d kick = p.acceleration[i] * (0.5 * dt);
     w.ledger.left.kinetic.add(p.mass[i] * (dot(p.velocity[i], kick) + 0.5 * dot(kick, kick)));
   }
@@ -100,12 +101,12 @@ void addLeaving(std::span<const std::uint32_t> rows, Continuum& p, std::vector<s
 }
 
 /// Records mass, momentum and energy of emitted particles, the last owned rows, as entered.
-void recordEmitted(World& w, StepTools& t, std::size_t emitted) {
+void recordEmitted(World& w, PhaseChangeWork& phaseChange, std::size_t emitted) {
   const Continuum& p = w.particles;
   std::vector<std::uint32_t> fresh;
   for (std::size_t i = p.owned - emitted; i < p.owned; i++) {
     fresh.push_back(static_cast<std::uint32_t>(i));
-    if (p.phase[i] == Solid) t.phaseChangedHere = true;  // emitted as solid: needs a slot
+    if (p.phase[i] == Solid) phaseChange.here = true;  // emitted as solid: needs a slot
   }
   addToBalance(w, fresh, w.ledger.entered);
 }
@@ -115,14 +116,15 @@ void recordEmitted(World& w, StepTools& t, std::size_t emitted) {
 bool takeLeaving(World& w, Halos& halos, StepTools& t, double dt) {
   Continuum& p = w.particles;
   const std::vector<std::uint32_t> vapour = w.modules.evaporation && dt > 0
-                                                ? removeVapour(heatView(w), recordContext(w, t), dt)
+                                                ? removeVapour(heatView(w), recordContext(w, t.liquids), dt)
                                                 : std::vector<std::uint32_t>{};
-  addLeaving(vapour, p, t.leaving);
+  addLeaving(vapour, p, t.redistribution.leaving);
   recordLeaving(w, t, dt);
-  if ((w.modules.tension || !t.pairForces.empty()) && (hasOpenSide(w.scene.domain) || w.modules.evaporation))
-    t.leavers = leaversOfAll(w, t, halos.all);
+  if ((w.modules.tension || !t.terms.pairForces.empty()) &&
+      (hasOpenSide(w.scene.domain) || w.modules.evaporation))
+    t.redistribution.leavers = leaversOfAll(w, t, halos.all);
   bool leftSlots = false;
-  for (std::uint32_t i : t.leaving) {
+  for (std::uint32_t i : t.redistribution.leaving) {
     w.ledger.dissipated.add(p.dissipated[i]);
     if (std::binary_search(vapour.begin(), vapour.end(), i)) w.counters.evaporated++;
     else countLeaving(w.scene.domain, p.position[i], w.counters);
@@ -145,10 +147,10 @@ Migration migrateParticles(World& w, Halos& halos, StepTools& t, bool moves) {
     for (const std::uint32_t i : m.departed)
       if (p.piece[i] != notRigid) t.rigid.departed.push_back(p.piece[i]);
   t.times.lap(StepPhase::Migrate);
-  if (!t.leaving.empty()) {
+  if (!t.redistribution.leaving.empty()) {
     std::vector<std::uint32_t> gone;
-    std::merge(m.departed.begin(), m.departed.end(), t.leaving.begin(), t.leaving.end(),
-               std::back_inserter(gone));
+    std::merge(m.departed.begin(), m.departed.end(), t.redistribution.leaving.begin(),
+               t.redistribution.leaving.end(), std::back_inserter(gone));
     m.departed = std::move(gone);
   }
   if (w.modules.sleep)
@@ -177,36 +179,38 @@ void freeOldBuffers(Continuum& particles, NeighbourLists& neighbours, PairRecord
 
 }  // namespace
 
-bool needsOrder(const World& w, const StepTools& t) {
-  return needsNeighbours(w.modules, t) || !w.walls.list.empty() || w.modules.bodyTypes() || w.modules.surface;
+bool needsOrder(const Modules& modules, const Walls& walls, const SolidWork& solid) {
+  return needsNeighbours(modules, solid) || !walls.list.empty() || modules.bodyTypes() || modules.surface;
 }
 
 bool redistribute(World& w, Halos halos, StepTools& t, double dt) {
   Continuum& p = w.particles;
+  RedistributionWork& work = t.redistribution;
   if (p.ghosts > 0) p.resize(p.owned, 0);
   // The clock still shows the beginning of the step.
-  if (w.modules.emitters) releaseDriven(w.scene, t.emitters, w.clock.time + dt, p);
+  if (w.modules.emitters) releaseDriven(w.scene, t.sources.emitters, w.clock.time + dt, p);
   const std::size_t emitted = w.modules.emitters
-                                  ? emit(w, halos, t, w.clock.time, w.clock.time + dt, t.emitFirst)
+                                  ? emit(w, halos.cells, t.sources, w.clock.time, w.clock.time + dt)
                                   : 0;
-  t.emitFirst = false;
-  recordEmitted(w, t, emitted);
+  t.sources.emitFirst = false;
+  recordEmitted(w, t.phaseChange, emitted);
 
   // Without neighbour sums particles may stay on their first rank, so that bonds, which follow their ends
   // across ranks, need not migrate.
-  const bool ordered = needsOrder(w, t), moves = ordered || t.newPartition || w.modules.emitters;
-  const bool partitioned = std::exchange(t.newPartition, false);
-  if (std::exchange(t.looseMemory, partitioned)) trimFreedMemory();
-  const bool open = hasOpenSide(w.scene.domain) && (t.mayLeave || emitted > 0);
-  t.mayLeave = true;
-  findCells(w, t.leaving, moves, open);
-  if (!moves && !t.leaving.empty()) findCells(w, t.leaving, true, open);
+  const bool ordered = needsOrder(w.modules, w.walls, t.solid),
+             moves = ordered || work.newPartition || w.modules.emitters;
+  const bool partitioned = std::exchange(work.newPartition, false);
+  if (std::exchange(work.looseMemory, partitioned)) trimFreedMemory();
+  const bool open = hasOpenSide(w.scene.domain) && (work.mayLeave || emitted > 0);
+  work.mayLeave = true;
+  findCells(w, work.leaving, moves, open);
+  if (!moves && !work.leaving.empty()) findCells(w, work.leaving, true, open);
   const bool leftSlots = takeLeaving(w, halos, t, dt);
   Migration m = migrateParticles(w, halos, t, moves);
   m.arrivals += emitted;
-  if (ordered) sortByCell(p, m, t.sort, w.cells, staleColumns(w.modules, w.particles, dt));
+  if (ordered) sortByCell(p, m, work.sort, w.cells, staleColumns(w.modules, w.particles, dt));
   else if (m.arrivals > 0 || !m.departed.empty()) closeGaps(p, m);
-  if (partitioned) freeOldBuffers(p, w.neighbours, t.records, t.sort);
+  if (partitioned) freeOldBuffers(p, w.neighbours, t.sums.records, work.sort);
   t.times.lap(StepPhase::Sort);
   return leftSlots;
 }

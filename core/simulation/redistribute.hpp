@@ -14,13 +14,13 @@ bool redistribute(World& world, Halos halos, StepTools& tools, double dt);
 
 /// Returns true if this evaluation needs neighbour lists. A scene of one solid needs them once, to make its
 /// bonds.
-inline bool needsNeighbours(const Modules& modules, const StepTools& tools) {
-  return modules.neighbours || tools.bondsAtStart;
+inline bool needsNeighbours(const Modules& modules, const SolidWork& solid) {
+  return modules.neighbours || solid.bondsAtStart;
 }
 
 /// Returns true if this evaluation visits cells or rows in (cell, id) order. Otherwise rows keep their order
 /// while none comes or goes. No result depends on that: sums over all particles are exact, and bonds have an
 /// order of their own.
-bool needsOrder(const World& world, const StepTools& tools);
+bool needsOrder(const Modules& modules, const Walls& walls, const SolidWork& solid);
 
 }  // namespace thaw

@@ -15,19 +15,20 @@ void reductionHere(StepContext& c, const StepOutcome& here, Requests wanted) {
   World& w = c.w;
   StepTools& t = c.t;
   StepLimits& own = c.limits;
-  own = particleLimits(w, here.largest ? *here.largest : largestRates(w.particles), t.stableViscousStep);
+  own = particleLimits(w, here.largest ? *here.largest : largestRates(w.particles),
+                       t.limits.stableViscousStep);
   // The minimum over ranks belongs to the most compressed particle.
-  own[Limit::Sound] = t.fixedLimits[Limit::Sound] / soundStiffening(w.scene, w.modules, w.particles);
+  own[Limit::Sound] = t.limits.fixed[Limit::Sound] / soundStiffening(w.scene, w.modules, w.particles);
   // Wall contacts are stiffer than the lattice behind cfl_sound. Here omega dt is at most 1.2; 2 is stable.
-  if (t.wallContacts.stiffest > 0)
-    own[Limit::Contact] = 3 * w.scene.numerics.cflSound / t.wallContacts.stiffest;
+  if (t.walls.contacts.stiffest > 0)
+    own[Limit::Contact] = 3 * w.scene.numerics.cflSound / t.walls.contacts.stiffest;
   StepReduction& reduction = c.reduction;
   for (std::size_t k = 0; k < reduction.negatedLimits.size(); k++)
-    reduction.negatedLimits[k] = -std::min(t.fixedLimits.value[k], own.value[k]);
+    reduction.negatedLimits[k] = -std::min(t.limits.fixed.value[k], own.value[k]);
   if (mayBeDry(w.scene, w.modules) && isDry(w.particles))
     for (const Limit l : limitsOfLiquid) reduction.negatedLimits[static_cast<std::size_t>(l)] = -never;
-  reduction.froze = t.frozeAnywhere;
-  reduction.melted = t.meltedAnywhere;
+  reduction.froze = t.phaseChange.frozeAnywhere;
+  reduction.melted = t.phaseChange.meltedAnywhere;
   reduction.bad = here.badHere || !here.finite;
   reduction.stop = wanted.stop;
   reduction.report = wanted.report;
@@ -38,7 +39,7 @@ void reductionHere(StepContext& c, const StepOutcome& here, Requests wanted) {
 /// Limits of all ranks.
 void limitsOfAll(StepContext& c) {
   StepLimits& limits = c.commonLimits;
-  limits = c.t.fixedLimits;
+  limits = c.t.limits.fixed;
   const StepReduction& reduction = c.reduction;
   for (std::size_t k = 0; k < reduction.negatedLimits.size(); k++)
     limits.value[k] = -reduction.negatedLimits[k];
@@ -74,12 +75,12 @@ StepOutcome reduceStep(StepContext& c, StepOutcome here, Requests wanted) {
   limitsOfAll(c);
   StepOutcome all = here;
   all.limitedBy = c.commonLimits.smallest();
-  t.frozeAnywhere = reduction.froze > 0;
-  t.meltedAnywhere = reduction.melted > 0;
+  t.phaseChange.frozeAnywhere = reduction.froze > 0;
+  t.phaseChange.meltedAnywhere = reduction.melted > 0;
   all.finite = !(reduction.bad > 0);
   all.wanted = {reduction.stop > 0, reduction.report > 0, reduction.checkpoint > 0};
   all.surfaceMove2 = reduction.surfaceMove2;
-  all.failure = all.finite ? failureOf(w, t.watch, c.commonLimits, reduction.relativeDensity)
+  all.failure = all.finite ? failureOf(w, t.limits.monitor, c.commonLimits, reduction.relativeDensity)
                            : Failure::NotFinite;
   setNextStep(w.watch, w.scene, w.clock, c.commonLimits, all.limitedBy);
   runPhase(ModulePhase::NextStep, c);

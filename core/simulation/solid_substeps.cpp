@@ -39,40 +39,39 @@ void addFastForces(World& w, Halos& halos, StepTools& t, double span) {
   const ElasticStep now{span, false, false};
   copyToSolids(w.particles, w.solids);
   Exchange ends = refresh(halos.bonds, w.solids, remoteColumnsBeforeDeformation(w.solids));
-  ElasticResult r = computeDeformationAndStress(t.elastic, w.solids, w.bonds, now, SolidPart::Inner);
+  ElasticResult r = computeDeformationAndStress(t.solid.elastic, w.solids, w.bonds, now, SolidPart::Inner);
   t.times.lap(StepPhase::Elastic);
   ends.wait();
   t.times.lap(StepPhase::Bonds);
-  r += computeDeformationAndStress(t.elastic, w.solids, w.bonds, now, SolidPart::Boundary);
+  r += computeDeformationAndStress(t.solid.elastic, w.solids, w.bonds, now, SolidPart::Boundary);
   w.counters.inverted += r.inverted;
   w.counters.squeezed += r.squeezed;
   t.times.lap(StepPhase::Elastic);
   ends = refresh(halos.bonds, w.solids, remoteColumnsBeforeForces(w.solids));
   t.times.lap(StepPhase::Bonds);
-  computeElasticForces(t.elastic, w.solids, w.bonds, now, SolidPart::Inner);
+  computeElasticForces(t.solid.elastic, w.solids, w.bonds, now, SolidPart::Inner);
   t.times.lap(StepPhase::Elastic);
   ends.wait();
   t.times.lap(StepPhase::Bonds);
-  computeElasticForces(t.elastic, w.solids, w.bonds, now, SolidPart::Boundary);
+  computeElasticForces(t.solid.elastic, w.solids, w.bonds, now, SolidPart::Boundary);
   t.times.lap(StepPhase::Elastic);
-  addSubstepContacts({wallView(w), t.wallTables, t.liquids, span, span}, t.substepContacts);
+  addSubstepContacts({wallView(w), t.walls.tables, t.liquids, span, span}, t.walls.substepContacts);
   t.times.lap(StepPhase::Walls);
 }
 
-void kick(World& w, double span) {
-  Continuum& p = w.particles;
-  const bool losses = w.solids.dissipated.active;
-  for (std::size_t s = 0; s < w.solids.owned; s++) {
-    const std::uint32_t i = w.solids.particle[s];
+void kick(Continuum& p, const Solids& solids, Ledger& ledger, double span) {
+  const bool losses = solids.dissipated.active;
+  for (std::size_t s = 0; s < solids.owned; s++) {
+    const std::uint32_t i = solids.particle[s];
     if (!takesSubsteps(p, i)) continue;
-    if (losses) p.dissipated[i] += w.solids.dissipated[s];
-    const Vec3d& f = w.solids.force[s];
+    if (losses) p.dissipated[i] += solids.dissipated[s];
+    const Vec3d& f = solids.force[s];
     if (!(p.clamped.active && p.clamped[i])) {
       p.velocity[i] += f * (span / p.mass[i]);
       continue;
     }
-    for (int a = 0; a < 3; a++) w.ledger.wallImpulse[a].add(-f[a] * span);  // impulse of its constraint
-    if (p.clamped[i] == driven) w.ledger.wallWork.add(-dot(f, p.velocity[i]) * span);
+    for (int a = 0; a < 3; a++) ledger.wallImpulse[a].add(-f[a] * span);  // impulse of its constraint
+    if (p.clamped[i] == driven) ledger.wallWork.add(-dot(f, p.velocity[i]) * span);
   }
 }
 
@@ -88,20 +87,20 @@ void substepSolids(World& w, Halos halos, StepTools& t, double dt) {
     std::fill_n(w.solids.rereferenced.data(), w.solids.size(), std::uint8_t{0});
   if (w.particles.stepMeanVelocity.active)
     std::fill_n(w.particles.stepMeanVelocity.data(), w.particles.owned, Vec3d{});
-  findSubstepContacts(wallView(w), t.substepContacts);
+  findSubstepContacts(wallView(w), t.walls.substepContacts);
   drift(w, span, far2);
   for (int k = 1; k < n; k++) {
     moveWalls(w.walls, w.clock.time + k * span);
     addFastForces(w, halos, t, span);
-    kick(w, span);
+    kick(w.particles, w.solids, w.ledger, span);
     drift(w, span, far2);
     t.times.lap(StepPhase::Drift);
   }
 }
 
-void chooseSubsteps(World& w, const StepTools& t, double longest) {
-  Clock& c = w.clock;
-  const int before = c.substeps, most = w.modules.mostSubsteps;
+void chooseSubsteps(const Modules& modules, Clock& c, Ledger& ledger, const WallContacts& contacts,
+                    double longest) {
+  const int before = c.substeps, most = modules.mostSubsteps;
   const double step = nextStep(c), wanted = std::ceil(step / longest * (1 - 1e-9));
   c.substeps = wanted < most ? std::max(1, static_cast<int>(wanted)) : most;
   // The number decreases only if it will stay small: a fluctuating number of substeps pumps energy into fast
@@ -109,8 +108,8 @@ void chooseSubsteps(World& w, const StepTools& t, double longest) {
   if (c.substeps < before && before <= most && 1.1 * step > (before - 1) * longest) c.substeps = before;
   if (c.substeps == before) return;
   for (int a = 0; a < 3; a++) {
-    w.ledger.wallForce[a].addProduct(t.wallContacts.fast[a], 1.0 / c.substeps);
-    w.ledger.wallForce[a].addProduct(t.wallContacts.fast[a], -1.0 / before);
+    ledger.wallForce[a].addProduct(contacts.fast[a], 1.0 / c.substeps);
+    ledger.wallForce[a].addProduct(contacts.fast[a], -1.0 / before);
   }
 }
 

@@ -25,6 +25,7 @@ void substepSolids(World& world, Halos halos, StepTools& tools, double dt);
 
 /// Sets the number of substeps of the next step, of Clock::dt, such that none is longer than `longest` (s).
 /// Adjusts the part of fast forces in Ledger::wallForce.
-void chooseSubsteps(World& world, const StepTools& tools, double longest);
+void chooseSubsteps(const Modules& modules, Clock& clock, Ledger& ledger, const WallContacts& contacts,
+                    double longest);
 
 }  // namespace thaw

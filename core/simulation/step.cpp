@@ -17,7 +17,8 @@ void predict(StepContext& c) {
   StepTools& t = c.t;
   runPhase(ModulePhase::BeforeMotion, c);
   runPhase(ModulePhase::FirstKick, c);
-  t.mayLeave = kickAndDrift(w, c.dt, awakeRows(w.modules, w.particles, t.sleep)) || w.clock.substeps > 1;
+  t.redistribution.mayLeave = kickAndDrift(w, c.dt, awakeRows(w.modules, w.particles, t.sleep)) ||
+                              w.clock.substeps > 1;
   runPhase(ModulePhase::Drift, c);
   wrapPeriodic(w.grid, w.scene.domain, w.particles, w.ledger.entered.potential);
   moveWalls(w.walls, c.time);
@@ -43,17 +44,17 @@ StepOutcome finishKicks(StepContext& c) {
 /// Advances heat and changes phases.
 void changePhases(StepContext& c) {
   StepTools& t = c.t;
-  t.phaseChangedHere = t.frozeAnywhere = t.meltedAnywhere = false;
+  t.phaseChange.here = t.phaseChange.frozeAnywhere = t.phaseChange.meltedAnywhere = false;
   runPhase(ModulePhase::PhaseChange, c);
   t.times.lap(StepPhase::Heat);
-  for (const FieldUpdate& update : t.fieldUpdates) update({c.w.particles, c.time, c.dt});
+  for (const FieldUpdate& update : t.terms.fieldUpdates) update({c.w.particles, c.time, c.dt});
 }
 
 }  // namespace
 
 StepContext stepContext(World& w, Halos halos, StepTools& t, double dt) {
   const WallContext walls{wallView(w),
-                          t.wallTables,
+                          t.walls.tables,
                           t.liquids,
                           dt,
                           dt > 0 ? dt : nextStep(w.clock),

@@ -94,8 +94,8 @@ std::string disableRelaxation(Scene& s) {
 double emittedAtEnd(const Scene& s, const StepTools& t) {
   double n = 0;
   for (std::size_t e = 0; e < s.emitters.size(); e++)
-    n += static_cast<double>(layersUntil(s.emitters[e], t.emitters[e], s.end)) *
-         static_cast<double>(t.emitters[e].layer.size());
+    n += static_cast<double>(layersUntil(s.emitters[e], t.sources.emitters[e], s.end)) *
+         static_cast<double>(t.sources.emitters[e].layer.size());
   return n;
 }
 
@@ -147,7 +147,7 @@ void describeStart(const CheckedWorld& c, const SamplingReport& sampled, CheckRe
   for (std::size_t e = 0; e < s.emitters.size(); e++)
     r.emitters.push_back({s.emitters[e].name,
                           s.materials[static_cast<std::size_t>(s.emitters[e].material)].name,
-                          outflowOf(c.t.emitters[e]), c.t.emitters[e].layer.size()});
+                          outflowOf(c.t.sources.emitters[e]), c.t.sources.emitters[e].layer.size()});
   r.emitted = emittedAtEnd(s, c.t);
   for (const BodyOverlap& pair : sampled.overlaps) r.overlaps.push_back(pair.text);
   r.removed = static_cast<std::int64_t>(sampled.removed);
@@ -157,12 +157,12 @@ void describeStart(const CheckedWorld& c, const SamplingReport& sampled, CheckRe
   r.limitedBy = w.clock.limitedBy;
   r.substeps = w.clock.substeps;
   for (std::size_t k = 0; k < limitNames.size(); k++)
-    if (const double limit = c.t.fixedLimits.value[k]; limit < never)
+    if (const double limit = c.t.limits.fixed.value[k]; limit < never)
       r.limits.emplace_back(limitNames[k], limit);
   for (std::size_t k = 0; w.modules.fluid && k < s.materials.size(); k++)
     if (const Material& m = s.materials[k]; canBeLiquid(m) && inUse(s, k))
       r.sounds.push_back({m.name, c.t.liquids[k].soundSpeed, soundSpeedReason(s, m)});
-  if (w.modules.flowLaw) r.flows = flowLawLines(w);
+  if (w.modules.flowLaw) r.flows = flowLawLines(w.scene, w.modules);
 }
 
 /// Adds the warnings of the scene and of its start.
@@ -222,7 +222,7 @@ void estimateCost(CheckedWorld& c, const CheckOptions& o, SurfaceTrial& surface,
   double memory = totalBytes(memoryOf(w, c.t));
   all.maximum({&memory, 1});
   surface.update();  // last, since it melts the world
-  cost.steps = r.end / expectedStep(w.scene, w.modules, w.clock, c.t.fixedLimits, r.step.value_or(never));
+  cost.steps = r.end / expectedStep(w.scene, w.modules, w.clock, c.t.limits.fixed, r.step.value_or(never));
   const SurfaceTrial::Forecast onSurface = surface.forecast(cost.steps, total);
   const int size = c.comm.size(), ranks = o.ranks > 0 ? o.ranks : size;
   r.surface = surface.lines(onSurface, ranks);
@@ -262,9 +262,10 @@ CheckReport makeReport(const Communicator& comm, const CheckOptions& o) {
   else if (comm.rank() == 0)
     for (const std::string& line : large) std::printf("%s\n", line.c_str()), std::fflush(stdout);
   c.simulation.prepare(meshLoader());
-  requireMemory(comm, w.modules, w.scene, t.shapes);
+  requireMemory(comm, w.modules, w.scene, t.sources.shapes);
   SamplingReport sampled = c.simulation.start(meshLoader());
-  std::ranges::move(emptyRegions(w, meshLoader(), all), std::back_inserter(sampled.warnings));
+  std::ranges::move(emptyRegions(w.scene, w.particles, meshLoader(), all),
+                    std::back_inserter(sampled.warnings));
   const std::vector<OrientedWork::Event> idle = t.oriented.idle;  // at the start
   const std::vector<OrientedWork::Field> unusedFields = t.oriented.unusedFields;
   // Emission and growth in the steps below change these counts.

@@ -16,7 +16,7 @@ namespace {
 std::string text(const Vec3d& v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x, v.y, v.z); }
 
 std::string seen(const World& w, const StepTools& t, const StepOutcome& o, const FailingParticle& s) {
-  const MonitorLimits& b = t.watch;
+  const MonitorLimits& b = t.limits.monitor;
   switch (o.failure) {
     case Failure::NotFinite:
       return s.value < never
@@ -50,7 +50,7 @@ std::string seen(const World& w, const StepTools& t, const StepOutcome& o, const
 }  // namespace
 
 std::string failedCheck(const World& w, const StepTools& t, const StepOutcome& o) {
-  const MonitorLimits& b = t.watch;
+  const MonitorLimits& b = t.limits.monitor;
   switch (o.failure) {
     case Failure::NotFinite:
       return "a value is not a finite number, or a particle moved beyond the reach of its forces in a step";

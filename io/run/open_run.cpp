@@ -35,7 +35,7 @@ std::vector<std::string> prepareRun(Run& r, const MeshLoader& load) {
   });
   std::vector<std::string> slow = requireMemoryForBodyTypes(r.comm, r.world.scene, load);
   r.prepare(load);
-  requireMemory(r.comm, r.world.modules, r.world.scene, r.tools.shapes);
+  requireMemory(r.comm, r.world.modules, r.world.scene, r.tools.sources.shapes);
   if (r.world.modules.surface) renewSurfaceHalos(r);
   return slow;
 }

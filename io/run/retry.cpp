@@ -64,9 +64,9 @@ std::string triedText(const Run& r, const MonitorState& watch) {
   if (watch.failures > 0)
     text = fmt::format("; {} retries from step {} with steps down to 1/{} did not help", watch.failures,
                        watch.snapshotStep, std::int64_t(1) << watch.halvings);
-  if (watch.failures < n.retries && retryTooShort(r.world.watch, r.world.clock, r.tools.watch))
+  if (watch.failures < n.retries && retryTooShort(r.world.watch, r.world.clock, r.tools.limits.monitor))
     text += fmt::format("; half the step would be below {:.3g} s (`numerics.watch_step`)",
-                        r.tools.watch.step);
+                        r.tools.limits.monitor.step);
   return text;
 }
 
@@ -113,7 +113,7 @@ bool atSnapshot(const Run& r) { return !retries(r) || r.world.watch.snapshotStep
 Failure checkLedgerOf(Run& r) {
   r.tools.times.start();
   r.snapshotLedger = reportLedger(r.world, r.tools, r.all);
-  const Failure failure = checkEnergyBudget(r.world, r.tools.watch, r.snapshotLedger, r.all);
+  const Failure failure = checkEnergyBudget(r.world, r.tools.limits.monitor, r.snapshotLedger, r.all);
   r.tools.times.lap(StepPhase::Other);
   return failure;
 }
@@ -163,7 +163,7 @@ bool rollBack(Run& r, const StepOutcome& failed, std::string& why) {
   const std::string when = fmt::format("step {}, t {:.9g} s, dt {:.3g} s", clock.step, clock.time,
                                        clock.stepDt);
   std::string problem;
-  if (mayRetry(w, r.tools.watch)) {
+  if (mayRetry(w.scene.numerics, w.watch, w.clock, r.tools.limits.monitor)) {
     try {
       const std::int64_t mine = w.counters.retries + (r.first() ? 1 : 0);
       restoreLastSnapshot(r);

@@ -146,10 +146,10 @@ namespace {
 void writeParticleFrame(Run& r) {
   World& w = r.world;
   findStoredEnergy(w, r.tools);
-  if (w.modules.rigidify) deformPassive(r.tools.elastic, w.solids, w.bonds);
+  if (w.modules.rigidify) deformPassive(r.tools.solid.elastic, w.solids, w.bonds);
   if (w.modules.solid && std::find(w.scene.output.fields.begin(), w.scene.output.fields.end(), "stress") !=
                              w.scene.output.fields.end())
-    computeCauchyStress(r.tools.elastic, w.solids);
+    computeCauchyStress(r.tools.solid.elastic, w.solids);
   const Frame f = frameOf(w, r.comm.rank());
   const std::string file = frameName(r.name, w.clock.frame);
   writeFrame(frameFolder(r.options.out) + "/" + file, r.comm.handle(), f, r.stamp());

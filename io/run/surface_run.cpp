@@ -40,9 +40,11 @@ void updateSurfaceOf(Run& r) {
   const std::size_t events = s.events.size();
   r.tools.times.start();
   if (r.world.modules.solid)
-    findElasticEnergy(r.world, r.tools);  // also F, from which the current volume of solids follows
-                                          // (gather_particles.cpp)
-  if (r.world.modules.rigidify) deformPassive(r.tools.elastic, r.world.solids, r.world.bonds);
+    findElasticEnergy(r.world.solids, r.world.bonds, r.tools.solid.elastic);  // also F, from which the
+                                                                              // current volume of solids
+                                                                              // follows
+                                                                              // (gather_particles.cpp)
+  if (r.world.modules.rigidify) deformPassive(r.tools.solid.elastic, r.world.solids, r.world.bonds);
   updateSurface(surfaceView(r.world), r.surface->halos(), r.surfaceTools);
   r.tools.times.lap(StepPhase::Surface);
   r.summary.surface.updatesHere++;

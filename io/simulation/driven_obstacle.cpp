@@ -86,7 +86,7 @@ DrivenObstacle::DrivenObstacle(Simulation& sim, const std::string& name)
   requireDrivable(sim.world().scene, sim.world().modules, sim.world().walls.list[wall_]);
   sim.onPhase(HookPhase::Forces, [&run = sim.runState(), wall = wall_, load = load_] {
     const WallContext at = stepContext(run.world, run.halos(), run.tools, 0).walls;
-    *load = wallLoad(at, run.tools.inverseLatticeSum, run.tools.wallContacts, wall);
+    *load = wallLoad(at, run.tools.sums.scales.inverseLatticeSum, run.tools.walls.contacts, wall);
   });
 }
 

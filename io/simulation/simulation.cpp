@@ -259,7 +259,7 @@ void Simulation::restore() {
   for (const auto& [phase, call] : f.onPhase) fresh->addToPhase(phase, call);
   Continuum& p = r.world.particles;
   if (!f.loads.empty() && !p.outsideForce.active) p.activate(p.outsideForce);
-  r.tools.outside.insert(r.tools.outside.end(), f.loads.begin(), f.loads.end());
+  r.tools.terms.outside.insert(r.tools.terms.outside.end(), f.loads.begin(), f.loads.end());
   parts_ = std::move(fresh);
 }
 
@@ -283,7 +283,7 @@ void Simulation::addForce(OutsideSource source) {
   Continuum& p = r.world.particles;
   if (!p.outsideForce.active) p.activate(p.outsideForce);
   parts_->functions.loads.push_back(source);
-  r.tools.outside.push_back(std::move(source));
+  r.tools.terms.outside.push_back(std::move(source));
   if (!parts_->restoredLoads) applyNewCoefficients(r.world, r.halos(), r.tools);
 }
 

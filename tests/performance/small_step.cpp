@@ -53,6 +53,6 @@ int main(int argc, char** argv) {
   test::Simulation s(block(argv[1]));
   for (int k = 0; k < 4; k++)
     if (!s.step()) return 1;
-  std::printf("%zu particles, %s\n", s.w.particles.owned, s.tools.kernels->name);
+  std::printf("%zu particles, %s\n", s.w.particles.owned, s.tools.sums.kernels->name);
   return 0;
 }

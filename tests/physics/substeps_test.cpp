@@ -177,7 +177,7 @@ TEST(Substeps, LimitsOfLiquidHoldOnceThereIsLiquid) {
   Scene s = waxOnAPlate();
   s.end = 0.3;
   Simulation run(s);
-  const StepLimits& limits = run.tools.fixedLimits;
+  const StepLimits& limits = run.tools.limits.fixed;
   const double sound = limits[Limit::Sound], elastic = limits[Limit::Elastic];
   ASSERT_LT(sound, elastic);
   for (int k = 0; k < 40; k++) ASSERT_TRUE(run.step());
@@ -212,7 +212,7 @@ Scene dropsThatFreeze(int substeps) {
 TEST(Substeps, ContactOfFrozenPiecesLimitsTheStepWhileItActs) {
   Simulation run(dropsThatFreeze(8));
   ASSERT_TRUE(run.w.modules.rareContact);
-  const double contact = run.tools.longestContact;
+  const double contact = run.tools.limits.longestContact;
   while (run.w.counters.frozen == 0) ASSERT_TRUE(run.step());
   EXPECT_GT(run.w.clock.stepDt, 1.1 * contact);
   for (int k = 0; k < 3; k++) {

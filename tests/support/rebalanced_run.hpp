@@ -28,7 +28,8 @@ auto runRebalanced(MPI_Comm group, const Scene& scene, int steps, Each each, End
   for (int k = 0; k < steps; k++) {
     if (k % 20 == 15) {
       const CellCosts costs = countCells(w);
-      simulation.tools.newPartition = simulation.tables.cells->rebalance(costs.cells, costs.cost, true);
+      simulation.tools.redistribution.newPartition = simulation.tables.cells->rebalance(costs.cells,
+                                                                                        costs.cost, true);
     }
     if (!simulation.step().finite) {
       ADD_FAILURE() << "step " << k << " is not finite";

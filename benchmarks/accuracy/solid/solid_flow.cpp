@@ -37,7 +37,7 @@ double largestPlasticVolume(Trial& r) {
 }
 
 double energyResidual(Trial& r) {
-  findElasticEnergy(r.world, r.tools);
+  findElasticEnergy(r.world.solids, r.world.bonds, r.tools.solid.elastic);
   const LedgerReport report = reportLedger(r.world, r.tools, r.all);
   return std::abs(report.energyResidual) / report.energyScale;
 }
@@ -51,7 +51,7 @@ void watchPress(Trial& r) {
   const Clock& c = r.world.clock;
   for (const auto& [note, at] : {std::pair{"3 %", 0.03}, {"9 %", 0.09}, {"30 %", 0.3}}) {
     if (r.notes.count(note) || compression(c.time) < at) continue;
-    findElasticEnergy(r.world, r.tools);
+    findElasticEnergy(r.world.solids, r.world.bonds, r.tools.solid.elastic);
     const double n = sum(r, [](const World&, std::size_t) { return 1.0; });
     r.notes[note] = -sum(r, [](const World& w, std::size_t i) { return stateOf(w, i).stress.zz; }) / n;
   }

@@ -16,7 +16,7 @@ void draw(Trial& r, double from, double to, double dt) {
   for (std::size_t i = 0; i < p.owned; i++)
     p.position[i] = {along * p.position[i].x, across * p.position[i].y, across * p.position[i].z};
   evaluate(r.world, r.halos(), r.tools, dt);
-  findElasticEnergy(r.world, r.tools);  // also sets F
+  findElasticEnergy(r.world.solids, r.world.bonds, r.tools.solid.elastic);  // also sets F
 }
 
 /// Norm of the deviator of the Cauchy stress, Pa.

@@ -63,7 +63,7 @@ struct PairSums {
   bool heat = false;                                       ///< forces include heat conduction
   double conductionScale = 1;       ///< factor of heat conduction (kernels/lattice.hpp)
   double support = 0;               ///< h, m
-  double relativeDensityScale = 0;  ///< 1/m^3, StepTools::inverseLatticeSum / h^3
+  double relativeDensityScale = 0;  ///< 1/m^3, SumScales::inverseLatticeSum / h^3
   double selfExcess = 0;  ///< subtracted from a particle's relative density, per V0 / h^3 of its own
   const void* positionVolume = nullptr;     ///< x, y, z (fixed point in single precision), V0 / h^3 (V / h^3
                                             ///< with the printed pressure)

@@ -16,24 +16,24 @@ namespace {
 
 /// Migrates and sorts one body type; rows in `leaving` (ascending, with noCell as their next cell) are
 /// dropped.
-void redistributeRows(World& w, Halos& halos, StepTools& t, std::size_t type, BodyTypeRows& r,
+void redistributeRows(World& w, Halos& halos, RedistributionWork& work, std::size_t type, BodyTypeRows& r,
                       CellTable& cells) {
   const std::size_t before = r.owned;
   Migration m = halos.bodyTypes[type]->migrate(r, {r.nextCell.data(), r.owned});
   computeCellKeys(w.grid, r, before, r.owned);
   if (const auto& migrateMore = typeActions()[type].migrateMore) migrateMore(w, halos, m);
-  if (!t.leaving.empty()) {
+  if (!work.leaving.empty()) {
     std::vector<std::uint32_t> gone;
-    std::merge(m.departed.begin(), m.departed.end(), t.leaving.begin(), t.leaving.end(),
+    std::merge(m.departed.begin(), m.departed.end(), work.leaving.begin(), work.leaving.end(),
                std::back_inserter(gone));
     m.departed = std::move(gone);
   }
-  sortByCell(r, m, t.sort, cells);
+  sortByCell(r, m, work.sort, cells);
 }
 
 }  // namespace
 
-void redistributeBodyTypes(World& w, Halos halos, StepTools& t, double dt) {
+void redistributeBodyTypes(World& w, Halos halos, RedistributionWork& work, double dt) {
   forEachBodyType(w, [&](std::size_t type, BodyTypeRows& r, CellTable& cells) {
     const TypeActions& actions = typeActions()[type];
     halos.bodyTypes[type]->follow(halos.cells);
@@ -42,16 +42,16 @@ void redistributeBodyTypes(World& w, Halos halos, StepTools& t, double dt) {
       if (const double more = wrapPlace(w.grid, w.scene.domain, r.position[i]); more != 0)
         w.ledger.entered.potential.add(r.mass[i] * more);
     computeCellKeys(w.grid, r);
-    t.leaving.clear();
-    if (actions.leavesAtSides) findLeaving(w.scene.domain, r, 0, r.owned, t.leaving);
-    if (actions.beforeRemoval) actions.beforeRemoval(w, t.leaving, dt);
-    for (const std::uint32_t i : t.leaving) {
+    work.leaving.clear();
+    if (actions.leavesAtSides) findLeaving(w.scene.domain, r, 0, r.owned, work.leaving);
+    if (actions.beforeRemoval) actions.beforeRemoval(w, work.leaving, dt);
+    for (const std::uint32_t i : work.leaving) {
       addBodyTypeRow(w, type, i, w.ledger.left);
       w.ledger.dissipated.add(r.dissipated[i]);
       countLeaving(w.scene.domain, r.position[i], w.counters);
     }
-    if (actions.afterRemoval) actions.afterRemoval(w, !t.leaving.empty());
-    redistributeRows(w, halos, t, type, r, cells);
+    if (actions.afterRemoval) actions.afterRemoval(w, !work.leaving.empty());
+    redistributeRows(w, halos, work, type, r, cells);
   });
 }
 
@@ -60,9 +60,8 @@ void activateBodyTypes(World& w) {
     if (actions.isOn(w)) actions.activate(w);
 }
 
-std::vector<std::vector<Vec3d>> sampleBodyTypes(World& w, Halos halos, StepTools& t, const MeshLoader& load,
-                                                std::vector<SceneWarning>& warnings) {
-  t.oriented.begins = true;
+std::vector<std::vector<Vec3d>> sampleBodyTypes(World& w, Halos halos, SortBuffers& sort,
+                                                const MeshLoader& load, std::vector<SceneWarning>& warnings) {
   SamplingOfTypes sampling{halos, load, warnings, {}};
   for (const TypeActions& actions : typeActions())
     if (actions.isOn(w)) actions.sample(w, sampling);
@@ -71,7 +70,7 @@ std::vector<std::vector<Vec3d>> sampleBodyTypes(World& w, Halos halos, StepTools
     computeCellKeys(w.grid, r);
     Migration all;
     all.arrivals = r.owned;
-    sortByCell(r, all, t.sort, cells);
+    sortByCell(r, all, sort, cells);
   });
   return std::move(sampling.positions);
 }

@@ -19,7 +19,7 @@ namespace thaw {
 namespace {
 
 /// Numbers per leaver in a message.
-std::size_t wordsOf(const StepTools& t) { return 6 + 4 * t.pairForces.size(); }
+std::size_t wordsOf(const std::vector<PairForceWork>& pairForces) { return 6 + 4 * pairForces.size(); }
 
 double volumeOf(const CellGrid& grid, const Continuum& particles, const Scene& scene, std::size_t i) {
   const double h = grid.support;
@@ -46,10 +46,10 @@ std::vector<Vec3d> imagesOf(const Scene& scene, const CellGrid& grid, const Vec3
 
 /// Calls pair(row, leaver, (position - leaver's position) / h) for remaining liquid particles, leavers
 /// ascending.
-template<class Pair> void eachNearLeaver(const World& w, const StepTools& t, Pair&& pair) {
+template<class Pair> void eachNearLeaver(const World& w, const std::vector<Leaver>& leavers, Pair&& pair) {
   const Continuum& p = w.particles;
   std::vector<RowSpan> ranges;
-  for (const Leaver& l : t.leavers)
+  for (const Leaver& l : leavers)
     for (const Vec3d& x : imagesOf(w.scene, w.grid, l.position)) {
       rowsAround(w.cells, cellKey(cellOf(w.grid, x)), ranges);
       for (const RowSpan& r : ranges)
@@ -61,22 +61,24 @@ template<class Pair> void eachNearLeaver(const World& w, const StepTools& t, Pai
 }
 
 /// Each particle of a pair stores half of its energy (terms/tension.hpp).
-void recordCohesion(World& w, const StepTools& t) {
+void recordCohesion(World& w, const std::vector<Leaver>& leavers,
+                    const std::vector<LiquidMaterial>& liquids) {
   using isa_base::Cohesion;
   const double h = w.grid.support;
-  eachNearLeaver(w, t, [&](std::uint32_t j, const Leaver& l, const Vec3d& d) {
+  eachNearLeaver(w, leavers, [&](std::uint32_t j, const Leaver& l, const Vec3d& d) {
     const double pair = l.volume * l.rootTension * volumeOf(w.grid, w.particles, w.scene, j) *
-                        rootTensionOf(w.particles, t.liquids, j) * h * h;
+                        rootTensionOf(w.particles, liquids, j) * h * h;
     w.ledger.left.potential.add(0.5 * Cohesion::scale * pair * Cohesion::potential(length(d)));
   });
 }
 
 /// The energy that remaining particles lose is half of that of their pairs with leavers; leavers take theirs.
-void recordPairForces(World& w, const StepTools& t) {
-  for (std::size_t k = 0; k < t.pairForces.size(); k++) {
-    const PairForceWork& work = t.pairForces[k];
-    const PairConstants constants = constantsOf(w, work);
-    eachNearLeaver(w, t, [&](std::uint32_t j, const Leaver& l, const Vec3d& d) {
+void recordPairForces(World& w, const std::vector<Leaver>& leavers,
+                      const std::vector<PairForceWork>& pairForces) {
+  for (std::size_t k = 0; k < pairForces.size(); k++) {
+    const PairForceWork& work = pairForces[k];
+    const PairConstants constants = constantsOf(w.scene, w.grid, work);
+    eachNearLeaver(w, leavers, [&](std::uint32_t j, const Leaver& l, const Vec3d& d) {
       const std::array<double, 4> record = pairRecordOf(w.scene, w.particles, j, work);
       const double pair = work.force->kernels.energy(
           constants, {d * w.grid.support, record.data(), l.records.data() + 4 * k});
@@ -93,12 +95,12 @@ struct Lost {
 };
 
 /// Losses of all neighbours of leavers, ascending by row.
-std::vector<Lost> lostSums(const World& w, const StepTools& t) {
+std::vector<Lost> lostSums(const World& w, const std::vector<Leaver>& leavers, double inverseLatticeSum) {
   std::vector<Lost> pairs, sums;
   const Numerics& n = w.scene.numerics;
-  eachNearLeaver(w, t, [&](std::uint32_t j, const Leaver& l, const Vec3d& d) {
+  eachNearLeaver(w, leavers, [&](std::uint32_t j, const Leaver& l, const Vec3d& d) {
     const SurfaceKernelValue s = surfaceKernelAt(d);
-    const double relativeDensity = t.inverseLatticeSum * l.volume *
+    const double relativeDensity = inverseLatticeSum * l.volume *
                                    withKernel(n.kernel,
                                               [q = length(d)](auto kernel) { return kernel.w(q, q * q); });
     pairs.push_back({j, {s.gradient * l.volume, s.colour * l.volume}, relativeDensity});
@@ -114,15 +116,15 @@ std::vector<Lost> lostSums(const World& w, const StepTools& t) {
 }
 
 /// Loss of surface energy (J/m^3 of liquid).
-double surfaceLost(World& w, const StepTools& t, const Lost& lost) {
-  const SurfaceContext context{wallView(w), t.surface};
+double surfaceLost(World& w, const SurfaceMeasure& measure, const WallContacts& contacts, const Lost& lost) {
+  const SurfaceContext context{wallView(w), measure};
   if (!w.modules.surfaceEnergy) return 0;
   SurfaceParticle particle{lost.row,
                            tensionOfParticle(context.world, lost.row),
                            {w.particles.surfaceGradient[lost.row], w.particles.surfaceColour[lost.row]},
                            {}};
   if (!(particle.tension > 0)) return 0;
-  if (w.modules.contactAngle) particle.contacts = contactsOf(t.wallContacts, lost.row);
+  if (w.modules.contactAngle) particle.contacts = contactsOf(contacts, lost.row);
   const double now = surfaceEnergyOf(context, particle);
   particle.sums.gradient += lost.surface.gradient;
   particle.sums.colour += lost.surface.colour;
@@ -142,9 +144,10 @@ double compressionLost(const Scene& scene, const Modules& modules, const Continu
 
 void recordNeighbourhoods(World& w, const StepTools& t) {
   const Continuum& p = w.particles;
-  for (const Lost& lost : lostSums(w, t)) {
+  for (const Lost& lost : lostSums(w, t.redistribution.leavers, t.sums.scales.inverseLatticeSum)) {
     const double V = restVolumeOf(p, w.scene.materials, lost.row);
-    const double density = surfaceLost(w, t, lost) + compressionLost(w.scene, w.modules, p, t.liquids, lost);
+    const double density = surfaceLost(w, t.surface, t.walls.contacts, lost) +
+                           compressionLost(w.scene, w.modules, p, t.liquids, lost);
     w.ledger.left.potential.add(liquidFraction(p, lost.row) * V * density);
   }
 }
@@ -152,28 +155,28 @@ void recordNeighbourhoods(World& w, const StepTools& t) {
 }  // namespace
 
 std::vector<Leaver> leaversOfAll(const World& w, const StepTools& t, Reducer& all) {
-  std::int64_t leaving = static_cast<std::int64_t>(t.leaving.size());
+  std::int64_t leaving = static_cast<std::int64_t>(t.redistribution.leaving.size());
   all.sum({&leaving, 1});
   if (leaving == 0) return {};  // most steps: nothing is allocated
   const auto rank = static_cast<std::size_t>(all.rank());
   std::vector<std::int64_t> counts(static_cast<std::size_t>(all.size()));
-  counts[rank] = static_cast<std::int64_t>(t.leaving.size());
+  counts[rank] = static_cast<std::int64_t>(t.redistribution.leaving.size());
   all.sum(counts);
   std::int64_t before = 0, total = 0;
   for (std::size_t r = 0; r < counts.size(); r++) {
     if (r == rank) before = total;
     total += counts[r];
   }
-  const std::size_t words = wordsOf(t);
+  const std::size_t words = wordsOf(t.terms.pairForces);
   std::vector<std::int64_t> packed(static_cast<std::size_t>(total) * words);
   std::int64_t* to = packed.data() + static_cast<std::size_t>(before) * words;
-  for (const std::uint32_t i : t.leaving) {
+  for (const std::uint32_t i : t.redistribution.leaving) {
     *to++ = std::bit_cast<std::int64_t>(w.particles.id[i]);
     const Vec3d& x = w.particles.position[i];
     for (const double value :
          {x.x, x.y, x.z, volumeOf(w.grid, w.particles, w.scene, i), rootTensionOf(w.particles, t.liquids, i)})
       *to++ = std::bit_cast<std::int64_t>(value);
-    for (const PairForceWork& work : t.pairForces)
+    for (const PairForceWork& work : t.terms.pairForces)
       for (const double value : pairRecordOf(w.scene, w.particles, i, work))
         *to++ = std::bit_cast<std::int64_t>(value);
   }
@@ -190,11 +193,12 @@ std::vector<Leaver> leaversOfAll(const World& w, const StepTools& t, Reducer& al
 }
 
 void recordEnergyLeft(World& w, const StepTools& t) {
-  if (t.leavers.empty()) return;
-  recordPairForces(w, t);
+  const std::vector<Leaver>& leavers = t.redistribution.leavers;
+  if (leavers.empty()) return;
+  recordPairForces(w, leavers, t.terms.pairForces);
   if (!w.modules.tension) return;
   recordNeighbourhoods(w, t);
-  if (w.scene.numerics.tension == TensionForm::Pairwise) recordCohesion(w, t);
+  if (w.scene.numerics.tension == TensionForm::Pairwise) recordCohesion(w, leavers, t.liquids);
 }
 
 }  // namespace thaw

@@ -16,9 +16,9 @@ struct StepTools;
 /// Leavers of all ranks, ascending by id. Collective.
 std::vector<Leaver> leaversOfAll(const World& world, const StepTools& tools, Reducer& all);
 
-/// Adds to Ledger::left the energy that owned liquid particles lose when StepTools::leavers are removed.
-/// It is negative where they gain energy.
-/// Requires: up-to-date cells, positions, densities and surface sums of the remaining particles.
+/// Adds to Ledger::left the energy that owned liquid particles lose when RedistributionWork::leavers are
+/// removed. It is negative where they gain energy. Requires: up-to-date cells, positions, densities and
+/// surface sums of the remaining particles.
 void recordEnergyLeft(World& world, const StepTools& tools);
 
 }  // namespace thaw

@@ -100,9 +100,9 @@ double movableHeat(const Scene& s, const Modules& modules, double mass) {
 }
 
 /// Largest heat (J) that moved or can move.
-double heatScaleOf(const World& w, const LedgerReport& r) {
+double heatScaleOf(const Scene& scene, const Modules& modules, const LedgerReport& r) {
   const double gained = r.now.internal - r.initial.internal - r.entered.internal + r.left.internal;
-  return std::max({std::abs(gained), std::abs(r.heatIn), movableHeat(w.scene, w.modules, r.now.mass)});
+  return std::max({std::abs(gained), std::abs(r.heatIn), movableHeat(scene, modules, r.now.mass)});
 }
 
 /// Rounding limit of mechanical energies, which are sums of cancelling terms. It is 1e-14 of three energies:
@@ -268,7 +268,7 @@ LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
   findStoredEnergy(w, t);
   LedgerReport r = unpackReport(w, sumOverRanks(w, packLedger(w), all));
   findResiduals(w.watch, r);
-  r.heatScale = heatScaleOf(w, r);
+  r.heatScale = heatScaleOf(w.scene, w.modules, r);
   r.energyRounding = roundingOf(w.scene, w.modules, w.sheets, t.liquids, r);
   return r;
 }

@@ -24,9 +24,9 @@ double gravityOf(const Domain& domain, double mass, const Vec3d& place) {
 
 /// The relative density of sleeping particles is unknown, since their sums may be skipped: all their stored
 /// energy counts as contact.
-void addParticles(const World& w, const StepTools& t, Sums& sums) {
+void addParticles(const World& w, const std::vector<LiquidMaterial>& liquids, Sums& sums) {
   const Continuum& p = w.particles;
-  const RecordContext context{w.scene, w.modules, w.grid, t.liquids};
+  const RecordContext context{w.scene, w.modules, w.grid, liquids};
   for (std::size_t i = 0; i < p.owned; i++) {
     sums[Gravity].add(gravityOf(w.scene.domain, p.mass[i], p.position[i]));
     if (!p.interaction.active) continue;
@@ -43,7 +43,7 @@ void addParticles(const World& w, const StepTools& t, Sums& sums) {
 StoredParts storedParts(World& w, const StepTools& t, Reducer& all) {
   findStoredEnergy(w, t);
   Sums sums;
-  addParticles(w, t, sums);
+  addParticles(w, t.liquids, sums);
   forEachBodyType(w, [&](std::size_t, const BodyTypeRows& r, const CellTable&) {
     for (std::size_t i = 0; i < r.owned; i++)
       sums[Gravity].add(gravityOf(w.scene.domain, r.mass[i], r.position[i]));

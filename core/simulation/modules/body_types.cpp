@@ -6,10 +6,10 @@
 namespace thaw {
 
 StepModule bodyTypes() {
-  return {
-      "further body types",
-      [](const World& w, const StepTools&) { return w.modules.bodyTypes(); },
-      {{ModulePhase::Redistributed, [](StepContext& c) { redistributeBodyTypes(c.w, c.halos, c.t, c.dt); }}}};
+  return {"further body types",
+          [](const World& w, const TermWork&) { return w.modules.bodyTypes(); },
+          {{ModulePhase::Redistributed,
+            [](StepContext& c) { redistributeBodyTypes(c.w, c.halos, c.t.redistribution, c.dt); }}}};
 }
 
 }  // namespace thaw

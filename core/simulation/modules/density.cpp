@@ -9,16 +9,16 @@ namespace thaw {
 
 StepModule summedDensity() {
   return {"summed density",
-          [](const World& w, const StepTools&) { return w.modules.fluid && !w.modules.continuity; },
+          [](const World& w, const TermWork&) { return w.modules.fluid && !w.modules.continuity; },
           {{ModulePhase::Density, [](StepContext& c) {
-              addWallRelativeDensity(c.walls, c.t.inverseLatticeSum, c.t.wallContacts);
+              addWallRelativeDensity(c.walls, c.t.sums.scales.inverseLatticeSum, c.t.walls.contacts);
               c.t.times.lap(StepPhase::Walls);
             }}}};
 }
 
 StepModule carriedDensity() {
   return {"density by continuity",
-          [](const World& w, const StepTools&) { return w.modules.continuity; },
+          [](const World& w, const TermWork&) { return w.modules.continuity; },
           {{ModulePhase::BeforeDensity, [](StepContext& c) { beginCarry(carryContext(c.w, c.t, c.dt)); }},
            {ModulePhase::Density, [](StepContext& c) { finishCarry(carryContext(c.w, c.t, c.dt)); }},
            {ModulePhase::Limits, [](StepContext& c) {
@@ -31,19 +31,19 @@ StepModule carriedDensity() {
 
 StepModule shiftingInside() {
   return {"shifting with summed densities",
-          [](const World& w, const StepTools&) { return w.modules.shifting && !w.modules.continuity; },
+          [](const World& w, const TermWork&) { return w.modules.shifting && !w.modules.continuity; },
           {{ModulePhase::Density, [](StepContext& c) { shiftInside(carryContext(c.w, c.t, c.dt)); }}}};
 }
 
 StepModule forcesAgainstShifting() {
   return {"forces against which shifting works",
-          [](const World& w, const StepTools&) { return w.particles.positionForce.active; },
+          [](const World& w, const TermWork&) { return w.particles.positionForce.active; },
           {{ModulePhase::ContinuumForce, [](StepContext& c) { addPositionForces(c.w.particles); }}}};
 }
 
 StepModule densityMonitor() {
   return {"largest density of liquids",
-          [](const World& w, const StepTools&) { return w.modules.fluid; },
+          [](const World& w, const TermWork&) { return w.modules.fluid; },
           {{ModulePhase::Limits,
             [](StepContext& c) { c.reduction.relativeDensity = largestRelativeDensity(c.w.particles); }}}};
 }

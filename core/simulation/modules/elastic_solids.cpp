@@ -16,32 +16,37 @@ namespace thaw {
 StepModule elasticSolids() {
   return {
       "solid",
-      [](const World& w, const StepTools&) { return w.modules.solid; },
+      [](const World& w, const TermWork&) { return w.modules.solid; },
       {{ModulePhase::Redistributed,
         [](StepContext& c) {
           StepTools& t = c.t;
-          rebuildSolidBonds(c.w, c.halos, t, {{}, t.phaseChangedHere || c.leftBonds || t.bondsAtStart});
+          rebuildSolidBonds(c.w, c.halos, t, {{}, t.phaseChange.here || c.leftBonds || t.solid.bondsAtStart});
         }},
-       {ModulePhase::GhostsSent, [](StepContext& c) { c.solidPositions = sendPositions(c.w, c.halos, c.t); }},
+       {ModulePhase::GhostsSent,
+        [](StepContext& c) {
+          c.solidPositions = sendPositions(c.w.particles, c.w.solids, c.w.bonds, c.halos.bonds, c.t.solid);
+        }},
        {ModulePhase::Deformation,
         [](StepContext& c) {
           // F and stress follow; bonds break, form and take new references.
           c.stress = deform(c.w, c.halos, c.t, c.dt, {std::move(c.solidPositions), c.densities});
         }},
        {ModulePhase::ContinuumForce,
-        [](StepContext& c) { addElasticForces(c.w, c.t, c.dt, std::move(c.stress)); }},
+        [](StepContext& c) {
+          addElasticForces(c.w, c.t.solid.elastic, c.t.times, c.dt, std::move(c.stress));
+        }},
        {ModulePhase::PhaseChange,
         [](StepContext& c) {
           World& w = c.w;
           if (w.modules.melting)
-            recordSoftening(c.t.elastic, w.particles, w.solids, w.bonds, w.ledger.phaseJump);
+            recordSoftening(c.t.solid.elastic, w.particles, w.solids, w.bonds, w.ledger.phaseJump);
         }},
        {ModulePhase::Limits,
         [](StepContext& c) {
-          c.reduction.stretch2 = c.t.maxStretch2;
-          c.reduction.strainBound = largestStrainBound(c.t.elastic, c.w.solids);
+          c.reduction.stretch2 = c.t.solid.maxStretch2;
+          c.reduction.strainBound = largestStrainBound(c.t.solid.elastic, c.w.solids);
           // Bonds break and references change in any step.
-          c.w.counters.singularNeighbourhoods = countSingular(c.t.elastic, c.w.solids);
+          c.w.counters.singularNeighbourhoods = countSingular(c.t.solid.elastic, c.w.solids);
         }},
        {ModulePhase::CommonLimits,
         [](StepContext& c) {
@@ -53,7 +58,8 @@ StepModule elasticSolids() {
         }},
        {ModulePhase::EndOfStep, [](StepContext& c) {
           // Here and not in the next step, so that checkpoints contain it.
-          if (c.dt > 0 && c.t.meltedAnywhere) melt(c.w, c.halos, c.t);
+          if (c.dt > 0 && c.t.phaseChange.meltedAnywhere)
+            melt(c.w, c.halos.bonds, c.t.solid.elastic, c.t.times);
         }}}};
 }
 
@@ -80,7 +86,7 @@ double longestWithSlowForces(const StepContext& c, double elastic) {
     return std::all_of(limitsOfLiquid.begin(), limitsOfLiquid.end(),
                        [&](Limit l) { return !(limits[l] < never); });
   };
-  const bool dry = isNever(c.commonLimits) && !isNever(c.t.fixedLimits);
+  const bool dry = isNever(c.commonLimits) && !isNever(c.t.limits.fixed);
   if (!c.w.modules.incompressible && (!c.w.modules.melting || dry)) return never;
   return std::max(1.0, stable / c.w.scene.numerics.cflElastic) * elastic;
 }
@@ -89,27 +95,31 @@ double longestWithSlowForces(const StepContext& c, double elastic) {
 
 StepModule solidSubsteps() {
   return {"substeps of solids",
-          [](const World& w, const StepTools&) { return w.modules.substeps; },
+          [](const World& w, const TermWork&) { return w.modules.substeps; },
           {{ModulePhase::Drift,
             [](StepContext& c) {
               substepSolids(c.w, c.halos, c.t, c.dt);  // stiff solids: bonds only, in shorter steps
             }},
            {ModulePhase::Limits,
-            [](StepContext& c) { c.reduction.negatedFastLimit = -fastAccelerationLimit(c.w); }},
+            [](StepContext& c) {
+              c.reduction.negatedFastLimit = -fastAccelerationLimit(c.w.scene, c.w.grid, c.w.particles);
+            }},
            {ModulePhase::CommonLimits,
             [](StepContext& c) {
               StepLimits& limits = c.commonLimits;
               const double longest = longestWithSlowForces(c, limits[Limit::Elastic]);
               c.longestSubstep = std::min(
-                  {limits[Limit::Elastic], c.t.longestContact, -c.reduction.negatedFastLimit});
+                  {limits[Limit::Elastic], c.t.limits.longestContact, -c.reduction.negatedFastLimit});
               limits[Limit::Elastic] = c.w.modules.mostSubsteps * c.longestSubstep;
               if (c.w.modules.rareContact)
                 limits[Limit::Elastic] = worthwhileStep(c.longestSubstep, limits[limits.smallest()],
                                                         c.w.modules.mostSubsteps);
               limits[Limit::Elastic] = std::min(limits[Limit::Elastic], longest);
             }},
-           {ModulePhase::NextStep,
-            [](StepContext& c) { chooseSubsteps(c.w, c.t, c.w.watch.factor * c.longestSubstep); }}}};
+           {ModulePhase::NextStep, [](StepContext& c) {
+              chooseSubsteps(c.w.modules, c.w.clock, c.w.ledger, c.t.walls.contacts,
+                             c.w.watch.factor * c.longestSubstep);
+            }}}};
 }
 
 }  // namespace thaw

@@ -9,15 +9,16 @@ namespace thaw {
 
 StepModule evaporation() {
   return {"evaporation",
-          [](const World& w, const StepTools&) { return w.modules.evaporation; },
+          [](const World& w, const TermWork&) { return w.modules.evaporation; },
           {{ModulePhase::Density,
             [](StepContext& c) {
-              c.t.kernels->freeSurfaceIndicator(pairSumsOf(c.w, c.t), {0, c.w.neighbours.groups});
+              c.t.sums.kernels->freeSurfaceIndicator(pairSumsOf(c.w, c.t.sums), {0, c.w.neighbours.groups});
               findExposure(evaporationView(c.w, c.t));
             }},
-           {ModulePhase::ContinuumForce, [](StepContext& c) { keepPairEnergy(c.w, c.t); }},
+           {ModulePhase::ContinuumForce,
+            [](StepContext& c) { keepPairEnergy(c.w.particles, c.t.phaseChange.energy); }},
            {ModulePhase::AllForces, [](StepContext& c) {
-              findVapour(evaporationView(c.w, c.t), c.walls, c.t.phaseEnergy.ofPairs, c.dt);
+              findVapour(evaporationView(c.w, c.t), c.walls, c.t.phaseChange.energy.ofPairs, c.dt);
             }}}};
 }
 

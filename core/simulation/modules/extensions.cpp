@@ -7,7 +7,7 @@ namespace thaw {
 
 StepModule extensionPairForces() {
   return {"pair forces of extensions",
-          [](const World&, const StepTools& t) { return !t.pairForces.empty(); },
+          [](const World&, const TermWork& terms) { return !terms.pairForces.empty(); },
           {{ModulePhase::ContinuumForce, [](StepContext& c) { sumPairForces(c.w, c.t); }}}};
 }
 

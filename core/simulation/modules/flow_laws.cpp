@@ -8,9 +8,10 @@ namespace thaw {
 
 StepModule flowLaws() {
   return {"flow law",
-          [](const World& w, const StepTools&) { return w.modules.flowLaw; },
-          {{ModulePhase::Density,
-            [](StepContext& c) { findApparentViscosity(c.walls, c.t.wallContacts, pairSumsOf(c.w, c.t)); }}}};
+          [](const World& w, const TermWork&) { return w.modules.flowLaw; },
+          {{ModulePhase::Density, [](StepContext& c) {
+              findApparentViscosity(c.walls, c.t.walls.contacts, pairSumsOf(c.w, c.t.sums));
+            }}}};
 }
 
 }  // namespace thaw

@@ -11,11 +11,11 @@ namespace thaw {
 
 StepModule heatFlow() {
   return {"heat",
-          [](const World& w, const StepTools&) { return w.modules.heat; },
+          [](const World& w, const TermWork&) { return w.modules.heat; },
           {{ModulePhase::AllForces,
             [](StepContext& c) {
-              if (c.w.modules.surfaceHeat) coverAreas(c.walls.world, c.t.wallContacts);
-              addWallHeat(c.walls, c.t.wallContacts);
+              if (c.w.modules.surfaceHeat) coverAreas(c.walls.world, c.t.walls.contacts);
+              addWallHeat(c.walls, c.t.walls.contacts);
             }},
            {ModulePhase::PhaseChange, [](StepContext& c) {
               updateHeat(heatView(c.w), c.dt);  // H += heat dt, T and liquid fraction follow
@@ -25,20 +25,20 @@ StepModule heatFlow() {
 StepModule conductionCorrection() {
   constexpr std::int64_t everySteps = 8;  // surfaces move by much less than a spacing meanwhile
   return {"corrected conduction",
-          [](const World& w, const StepTools&) { return w.particles.conductionCorrection.active; },
+          [](const World& w, const TermWork&) { return w.particles.conductionCorrection.active; },
           {{ModulePhase::AllForces, [](StepContext& c) {
               if (c.dt != 0 && (c.w.clock.step + 1) % everySteps != 0) return;
               // for the next step
-              correctConduction(pairSumsOf(c.w, c.t), c.walls, c.t.wallContacts, c.t.conduction);
+              correctConduction(pairSumsOf(c.w, c.t.sums), c.walls, c.t.walls.contacts, c.t.heat.conduction);
             }}}};
 }
 
 StepModule contactConductance() {
   return {"contact conductance",
-          [](const World& w, const StepTools&) { return w.modules.contactConductance; },
+          [](const World& w, const TermWork&) { return w.modules.contactConductance; },
           {{ModulePhase::Density, [](StepContext& c) {
-              findContactNormals(pairSumsOf(c.w, c.t), c.w.particles.owned + c.t.ghostRoom, c.w.particles,
-                                 c.t.contactHeat);
+              findContactNormals(pairSumsOf(c.w, c.t.sums), c.w.particles.owned + c.t.sums.ghostRoom,
+                                 c.w.particles, c.t.heat.contact);
             }}}};
 }
 

@@ -10,7 +10,7 @@ namespace thaw {
 
 StepModule incompressiblePressure() {
   return {"incompressible liquid",
-          [](const World& w, const StepTools&) { return w.modules.incompressible; },
+          [](const World& w, const TermWork&) { return w.modules.incompressible; },
           {{ModulePhase::FirstKick,
             [](StepContext& c) {
               addPressureImpulse(c.w.particles);  // computed at the end of the last step
@@ -18,7 +18,7 @@ StepModule incompressiblePressure() {
            {ModulePhase::EndOfStep, [](StepContext& c) {
               if (!c.finite) return;
               Continuum& p = c.w.particles;
-              if (c.t.meltedAnywhere && p.clamped.active)  // melting releases clamped particles
+              if (c.t.phaseChange.meltedAnywhere && p.clamped.active)  // melting releases clamped particles
                 refresh(c.halos.cells, p, ColumnList{&p.clamped}).wait();
               // Removes compression from v and computes the next density-pressure impulse.
               solvePressure(c.w, c.halos, c.t, c.dt > 0 ? c.dt : nextStep(c.w.clock));

@@ -10,7 +10,7 @@ namespace thaw {
 
 StepModule melting() {
   return {"melting",
-          [](const World& w, const StepTools&) { return w.modules.melting; },
+          [](const World& w, const TermWork&) { return w.modules.melting; },
           {{ModulePhase::ContinuumForce,
             [](StepContext& c) {
               // Derivative of compression and tension with respect to the liquid fraction.
@@ -18,22 +18,23 @@ StepModule melting() {
             }},
            {ModulePhase::PhaseChange, [](StepContext& c) {
               const PhaseChanges changes = changePhase(c.w.scene, c.w.particles, c.w.counters);
-              c.t.phaseChangedHere = changes.melted || changes.frozen;
+              c.t.phaseChange.here = changes.melted || changes.frozen;
               // For this rank; reduceStep combines the flags of all ranks.
-              c.t.frozeAnywhere = changes.frozen;
-              c.t.meltedAnywhere = changes.melted;
+              c.t.phaseChange.frozeAnywhere = changes.frozen;
+              c.t.phaseChange.meltedAnywhere = changes.melted;
             }}}};
 }
 
 StepModule densityByPhase() {
   return {"density by phase",
-          [](const World& w, const StepTools&) { return w.modules.phaseDensity; },
+          [](const World& w, const TermWork&) { return w.modules.phaseDensity; },
           {{ModulePhase::ContinuumForce,
             [](StepContext& c) {
-              if (c.w.modules.tension) keepPairEnergy(c.w, c.t);
+              if (c.w.modules.tension) keepPairEnergy(c.w.particles, c.t.phaseChange.energy);
             }},
            {ModulePhase::PhaseChange, [](StepContext& c) {
-              updateRestDensities(heatView(c.w), recordContext(c.w, c.t), c.t.phaseEnergy.ofPairs, c.dt);
+              updateRestDensities(heatView(c.w), recordContext(c.w, c.t.liquids),
+                                  c.t.phaseChange.energy.ofPairs, c.dt);
             }}}};
 }
 

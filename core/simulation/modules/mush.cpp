@@ -9,11 +9,11 @@ namespace thaw {
 StepModule mushDrag() {
   return {
       "mush drag",
-      [](const World& w, const StepTools&) { return w.modules.mushDrag; },
+      [](const World& w, const TermWork&) { return w.modules.mushDrag; },
       {{ModulePhase::Drift,
         [](StepContext& c) {
           applyMush(heatView(c.w), 0.5 * c.dt, c.dt);
-          c.t.mayLeave = true;
+          c.t.redistribution.mayLeave = true;
         }},
        {ModulePhase::AllForces, [](StepContext& c) { findMush(heatView(c.w), c.w.grid, c.w.neighbours); }},
        {ModulePhase::Kicked, [](StepContext& c) { applyMush(heatView(c.w), 0.5 * c.dt, 0); }}}};

@@ -10,13 +10,13 @@ namespace thaw {
 StepModule orientedContact() {
   return {
       "contact of oriented particles and the continuum",
-      [](const World& w, const StepTools&) { return w.modules.orientedContact; },
+      [](const World& w, const TermWork&) { return w.modules.orientedContact; },
       {{ModulePhase::Coupling, [](StepContext& c) { addContinuumContact(orientedView(c.w, c.t), c.dt); }}}};
 }
 
 StepModule orientedBodies() {
   return {"oriented particles",
-          [](const World& w, const StepTools&) { return w.modules.oriented; },
+          [](const World& w, const TermWork&) { return w.modules.oriented; },
           {{ModulePhase::BeforeMotion,
             [](StepContext& c) {
               // They have integrators of their own, with obstacles at the positions of the last forces.

@@ -17,7 +17,7 @@ namespace {
 ColumnList changedColumns(StepContext& c) {
   Continuum& p = c.w.particles;
   ColumnList changed{&p.liquid, &p.phase};
-  if (c.t.pairForces.empty()) return changed;
+  if (c.t.terms.pairForces.empty()) return changed;
   changed.push_back(&p.temperature);
   changed.push_back(&p.velocity);
   for (const auto& added : p.added)
@@ -30,31 +30,35 @@ void recordChanges(StepContext& c) {
   Continuum& p = c.w.particles;
   // At the end of the scene no limit on the step exists.
   const double planned = nextStep(c.w.clock), next = std::isfinite(planned) ? planned : c.w.clock.stepDt;
-  recordSpringChanges(c.walls, c.t.wallContacts, c.t.phaseEnergy.springs, {next, next / c.w.clock.substeps});
+  recordSpringChanges(c.walls, c.t.walls.contacts, c.t.phaseChange.energy.springs,
+                      {next, next / c.w.clock.substeps});
   if (!(c.reduction.pairsChange > 0)) return;
   refresh(c.halos.cells, p, changedColumns(c)).wait();
-  recordStiffnessChanges(c.w.scene, c.t.phaseEnergy.touching, next, p, c.w.ledger.phaseJump);
+  recordStiffnessChanges(c.w.scene, c.t.phaseChange.energy.touching, next, p, c.w.ledger.phaseJump);
   if (c.w.modules.bodyContact)
-    recordStiffnessChanges(bodyContactView(c.w, c.t, c.walls.span, 0), next, c.w.ledger.phaseJump);
+    recordStiffnessChanges(bodyContactView(c.w, c.t.contact.bodies, c.walls.span, 0), next,
+                           c.w.ledger.phaseJump);
   recordPairEnergyChange(c.w, c.t);
 }
 
 }  // namespace
 
 StepModule energyOfPhaseChange() {
-  return {"energy of phase changes",
-          [](const World& w, const StepTools&) { return w.modules.melting; },
-          {{ModulePhase::AllForces,
-            [](StepContext& c) { rememberSprings(c.walls, c.t.wallContacts, c.t.phaseEnergy.springs); }},
-           {ModulePhase::Limits,
-            [](StepContext& c) {
-              if (changesStiffness(c.t.phaseEnergy.touching, c.w.particles) ||
-                  changesStiffness(c.t.bodyContact, c.w.particles) || pairEnergyChanges(c.w, c.t))
-                c.reduction.pairsChange = 1;
-            }},
-           {ModulePhase::EndOfStep, [](StepContext& c) {
-              if (c.finite && c.dt > 0) recordChanges(c);
-            }}}};
+  return {
+      "energy of phase changes",
+      [](const World& w, const TermWork&) { return w.modules.melting; },
+      {{ModulePhase::AllForces,
+        [](StepContext& c) { rememberSprings(c.walls, c.t.walls.contacts, c.t.phaseChange.energy.springs); }},
+       {ModulePhase::Limits,
+        [](StepContext& c) {
+          if (changesStiffness(c.t.phaseChange.energy.touching, c.w.particles) ||
+              changesStiffness(c.t.contact.bodies, c.w.particles) ||
+              pairEnergyChanges(c.w, c.t.terms, c.t.phaseChange.energy))
+            c.reduction.pairsChange = 1;
+        }},
+       {ModulePhase::EndOfStep, [](StepContext& c) {
+          if (c.finite && c.dt > 0) recordChanges(c);
+        }}}};
 }
 
 }  // namespace thaw

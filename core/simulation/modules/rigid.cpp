@@ -16,35 +16,36 @@ namespace thaw {
 /// Motion of rigid pieces.
 StepModule rigidPieces() {
   return {"rigid pieces",
-          [](const World& w, const StepTools&) { return w.modules.rigid; },
+          [](const World& w, const TermWork&) { return w.modules.rigid; },
           {{ModulePhase::Drift,
             [](StepContext& c) {
-              driftPieces(rigidView(c.w, c.t), c.dt);
-              c.t.mayLeave = true;
+              driftPieces(rigidView(c.w, c.t.rigid), c.dt);
+              c.t.redistribution.mayLeave = true;
             }},
            {ModulePhase::Density,
             [](StepContext& c) {
-              const RigidView view = rigidView(c.w, c.t);
+              const RigidView view = rigidView(c.w, c.t.rigid);
               if (c.t.rigid.atStart) updatePieces(view, c.halos, true);
               c.t.rigid.atStart = false;
               linkPieces(view, c.halos, PieceUsers::AndGhosts);
             }},
-           {ModulePhase::AllForces, [](StepContext& c) { sumPieceForces(rigidView(c.w, c.t), c.halos.all); }},
-           {ModulePhase::Kicked, [](StepContext& c) { kickPieces(rigidView(c.w, c.t), c.dt); }}}};
+           {ModulePhase::AllForces,
+            [](StepContext& c) { sumPieceForces(rigidView(c.w, c.t.rigid), c.halos.all); }},
+           {ModulePhase::Kicked, [](StepContext& c) { kickPieces(rigidView(c.w, c.t.rigid), c.dt); }}}};
 }
 
 /// Pieces of rigid materials. They change where particles melt, freeze or leave; their contacts are impulses.
 StepModule rigidBodies() {
   return {"rigid materials",
-          [](const World& w, const StepTools&) { return w.modules.rigid && !w.modules.rigidify; },
+          [](const World& w, const TermWork&) { return w.modules.rigid && !w.modules.rigidify; },
           {{ModulePhase::PhaseChange,
             [](StepContext& c) {
-              if (c.t.rigid.changedHere) c.t.meltedAnywhere = true;
+              if (c.t.rigid.changedHere) c.t.phaseChange.meltedAnywhere = true;
             }},
            {ModulePhase::EndOfStep, [](StepContext& c) {
               if (!c.finite) return;
-              const RigidView view = rigidView(c.w, c.t);
-              if (c.t.meltedAnywhere || c.t.frozeAnywhere) {
+              const RigidView view = rigidView(c.w, c.t.rigid);
+              if (c.t.phaseChange.meltedAnywhere || c.t.phaseChange.frozeAnywhere) {
                 updatePieces(view, c.halos, false);
                 c.t.rigid.changedHere = false;
                 linkPieces(view, c.halos, PieceUsers::AndGhosts);

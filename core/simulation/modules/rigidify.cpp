@@ -11,7 +11,7 @@ namespace thaw {
 /// Parts of elastic solids that move as rigid pieces while they do not deform. Their contacts are forces.
 StepModule rigidParts() {
   return {"rigid parts of elastic solids",
-          [](const World& w, const StepTools&) { return w.modules.rigidify; },
+          [](const World& w, const TermWork&) { return w.modules.rigidify; },
           {{ModulePhase::AllForces, [](StepContext& c) { compareLoads(rigidifyView(c.w, c.t)); }},
            {ModulePhase::PhaseChange,
             [](StepContext& c) {

@@ -8,7 +8,7 @@ namespace thaw {
 
 StepModule sheets() {
   return {"sheets",
-          [](const World& w, const StepTools&) { return w.modules.sheet; },
+          [](const World& w, const TermWork&) { return w.modules.sheet; },
           {{ModulePhase::ObstaclesMoved,
             [](StepContext& c) {
               moveSheets(sheetView(c.w), c.dt);  // exact solution over the step

@@ -7,11 +7,11 @@ namespace thaw {
 
 StepModule sleepOfSolids() {
   return {"sleep",
-          [](const World& w, const StepTools&) { return w.modules.sleep; },
+          [](const World& w, const TermWork&) { return w.modules.sleep; },
           {{ModulePhase::WallContacts, [](StepContext& c) { beginSleep(sleepView(c.w, c.t), c.dt); }},
            {ModulePhase::InnerRows, [](StepContext& c) { markSleepingInner(sleepView(c.w, c.t)); }},
            {ModulePhase::BoundaryRows, [](StepContext& c) { markSleeping(sleepView(c.w, c.t)); }},
-           {ModulePhase::Density, [](StepContext& c) { dropSkippedContacts(c.t.sleep, c.t.wallContacts); }},
+           {ModulePhase::Density, [](StepContext& c) { dropSkippedContacts(c.t.sleep, c.t.walls.contacts); }},
            {ModulePhase::Contact,
             [](StepContext& c) { recordConstraintForces(c.w.particles, c.w.scene, c.t.sleep); }},
            {ModulePhase::SecondKick, [](StepContext& c) {

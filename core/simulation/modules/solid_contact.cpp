@@ -8,23 +8,23 @@ namespace thaw {
 StepModule solidContact() {
   return {
       "contact of solids",
-      [](const World& w, const StepTools&) { return w.modules.contact; },
+      [](const World& w, const TermWork&) { return w.modules.contact; },
       {{ModulePhase::Contact,
         [](StepContext& c) {
           World& w = c.w;
           addSolidContacts({w.scene, w.grid, w.solids, w.bonds, c.walls.span,
-                            w.modules.melting ? &c.t.phaseEnergy.touching : nullptr, &c.t.contactResistance,
-                            w.modules.fluid ? nullptr : &w.counters.coincidentPairs,
+                            w.modules.melting ? &c.t.phaseChange.energy.touching : nullptr,
+                            &c.t.contact.resistance, w.modules.fluid ? nullptr : &w.counters.coincidentPairs,
                             w.modules.rareContact ? &c.contactNear : nullptr},
-                           c.t.closePairs, w.particles);
+                           c.t.contact.closePairs, w.particles);
         }},
        {ModulePhase::Limits,
         [](StepContext& c) {
           // Particles that freeze may push from the next evaluation on.
-          if (c.contactNear || (c.w.modules.rareContact && c.t.frozeAnywhere))
-            c.reduction.lower(Limit::Contact, c.t.longestContact);
+          if (c.contactNear || (c.w.modules.rareContact && c.t.phaseChange.frozeAnywhere))
+            c.reduction.lower(Limit::Contact, c.t.limits.longestContact);
         }},
-       {ModulePhase::AllForces, [](StepContext& c) { recordResistance(c.walls, c.t.contactResistance); }}}};
+       {ModulePhase::AllForces, [](StepContext& c) { recordResistance(c.walls, c.t.contact.resistance); }}}};
 }
 
 }  // namespace thaw

@@ -48,10 +48,10 @@ std::vector<StepModule> stepModules() {
           surfaceMotion()};
 }
 
-StepPhases phasesOf(const World& w, const StepTools& t) {
+StepPhases phasesOf(const World& w, const TermWork& terms) {
   StepPhases phases;
   for (const StepModule& module : stepModules())
-    if (module.isOn(w, t))
+    if (module.isOn(w, terms))
       for (const ModuleCall& c : module.calls)
         phases.calls[static_cast<std::size_t>(c.phase)].push_back(c.call);
   return phases;

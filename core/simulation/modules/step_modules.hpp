@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/domain/term_work.hpp"
 #include "core/simulation/workspace/step_phases.hpp"
-#include "core/simulation/workspace/step_tools.hpp"
 #include "core/simulation/world/world.hpp"
 
 namespace thaw {
@@ -17,8 +17,8 @@ struct ModuleCall {
 
 struct StepModule {
   std::string_view name;
-  bool (*isOn)(const World&, const StepTools&);  ///< in a prepared world; constant over a run
-  std::vector<ModuleCall> calls;                 ///< at most one per phase
+  bool (*isOn)(const World&, const TermWork&);  ///< in a prepared world; constant over a run
+  std::vector<ModuleCall> calls;                ///< at most one per phase
 };
 
 // In the order of stepModules().
@@ -68,6 +68,6 @@ StepModule surfaceMotion();
 std::vector<StepModule> stepModules();
 
 /// Returns the calls of the modules that the scene has. Requires: the world is prepared.
-StepPhases phasesOf(const World& world, const StepTools& tools);
+StepPhases phasesOf(const World& world, const TermWork& terms);
 
 }  // namespace thaw

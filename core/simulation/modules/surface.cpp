@@ -7,7 +7,7 @@ namespace thaw {
 
 StepModule surfaceMotion() {
   return {"surface",
-          [](const World& w, const StepTools&) { return w.modules.surface; },
+          [](const World& w, const TermWork&) { return w.modules.surface; },
           {{ModulePhase::Limits, [](StepContext& c) {
               c.reduction.surfaceMove2 = largestSurfaceMove2(c.w.grid, c.w.particles, c.w.surface);
             }}}};

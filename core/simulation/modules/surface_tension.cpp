@@ -12,40 +12,41 @@ namespace thaw {
 
 StepModule surfaceEnergy() {
   return {"surface tension as an energy",
-          [](const World& w, const StepTools&) { return w.modules.surfaceEnergy; },
+          [](const World& w, const TermWork&) { return w.modules.surfaceEnergy; },
           {{ModulePhase::Density,
-            [](StepContext& c) { findSurfaceEnergy(c.walls, c.t.surface, c.t.wallContacts); }}}};
+            [](StepContext& c) { findSurfaceEnergy(c.walls, c.t.surface, c.t.walls.contacts); }}}};
 }
 
 StepModule tensionByTemperature() {
   return {"tension by temperature",
-          [](const World& w, const StepTools&) { return w.modules.tensionTable; },
+          [](const World& w, const TermWork&) { return w.modules.tensionTable; },
           {{ModulePhase::PhaseChange, [](StepContext& c) {
-              recordTensionChange({wallView(c.w), c.t.surface}, c.t.wallContacts);
+              recordTensionChange({wallView(c.w), c.t.surface}, c.t.walls.contacts);
             }}}};
 }
 
 StepModule tensionByCurvature() {
-  return {
-      "surface tension by curvature",
-      [](const World& w, const StepTools&) { return actsByCurvature(w.scene.numerics, w.modules); },
-      {{ModulePhase::FirstKick,
-        [](StepContext& c) { recordCurvatureKick(wallView(c.w), HalfKick::First, c.dt); }},
-       {ModulePhase::ContinuumForce,
-        [](StepContext& c) {
-          if (isTensionDue(c.t.tensionInterval, c.w.clock, c.dt))
-            addCurvatureForce({wallView(c.w), c.w.neighbours, c.t.wallContacts, c.halos.cells, c.halos.all});
-          else reuseCurvatureForce(c.w.particles);
-          c.t.times.lap(StepPhase::Forces);
-        }},
-       {ModulePhase::SecondKick,
-        [](StepContext& c) { recordCurvatureKick(wallView(c.w), HalfKick::Second, c.dt); }}}};
+  return {"surface tension by curvature",
+          [](const World& w, const TermWork&) { return actsByCurvature(w.scene.numerics, w.modules); },
+          {{ModulePhase::FirstKick,
+            [](StepContext& c) { recordCurvatureKick(wallView(c.w), HalfKick::First, c.dt); }},
+           {ModulePhase::ContinuumForce,
+            [](StepContext& c) {
+              if (isTensionDue(c.t.limits.tensionInterval, c.w.clock, c.dt))
+                addCurvatureForce(
+                    {wallView(c.w), c.w.neighbours, c.t.walls.contacts, c.halos.cells, c.halos.all});
+              else reuseCurvatureForce(c.w.particles);
+              c.t.times.lap(StepPhase::Forces);
+            }},
+           {ModulePhase::SecondKick,
+            [](StepContext& c) { recordCurvatureKick(wallView(c.w), HalfKick::Second, c.dt); }}}};
 }
 
 StepModule energyOfLeaving() {
-  return {"energy left by particles that leave",
-          [](const World& w, const StepTools& t) { return w.modules.tension || !t.pairForces.empty(); },
-          {{ModulePhase::Density, [](StepContext& c) { recordEnergyLeft(c.w, c.t); }}}};
+  return {
+      "energy left by particles that leave",
+      [](const World& w, const TermWork& terms) { return w.modules.tension || !terms.pairForces.empty(); },
+      {{ModulePhase::Density, [](StepContext& c) { recordEnergyLeft(c.w, c.t); }}}};
 }
 
 }  // namespace thaw

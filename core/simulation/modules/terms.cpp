@@ -24,17 +24,17 @@ OutsideLoad loadOf(StepContext& c) {
 }
 
 void addTerms(StepContext& c, LoadStage stage) {
-  for (const ActiveTerm& term : c.t.terms)
+  for (const ActiveTerm& term : c.t.terms.active)
     if (term.part->stage == stage) term.add(loadOf(c));
 }
 
 void recordTerms(StepContext& c, HalfKick kick) {
-  for (const ActiveTerm& term : c.t.terms)
+  for (const ActiveTerm& term : c.t.terms.active)
     if (term.part->recordKick) term.part->recordKick(loadOf(c), kick);
 }
 
-bool hasTerms(const StepTools& t, LoadStage stage) {
-  return std::any_of(t.terms.begin(), t.terms.end(),
+bool hasTerms(const TermWork& terms, LoadStage stage) {
+  return std::any_of(terms.active.begin(), terms.active.end(),
                      [&](const ActiveTerm& term) { return term.part->stage == stage; });
 }
 
@@ -52,18 +52,18 @@ void recordLoads(StepContext& c, HalfKick kick) {
 /// Always on: a program may add loads during a run (Simulation::addForce), and a checkpoint may have some.
 StepModule outsideLoads() {
   return {"loads from outside",
-          [](const World&, const StepTools&) { return true; },
+          [](const World&, const TermWork&) { return true; },
           {{ModulePhase::FirstKick, [](StepContext& c) { recordLoads(c, HalfKick::First); }},
            {ModulePhase::AllForces,
             [](StepContext& c) {
-              if (c.w.particles.outsideForce.active) addOutsideLoads(c.t.outside, loadOf(c));
+              if (c.w.particles.outsideForce.active) addOutsideLoads(c.t.terms.outside, loadOf(c));
             }},
            {ModulePhase::SecondKick, [](StepContext& c) { recordLoads(c, HalfKick::Second); }}}};
 }
 
 StepModule bodyForces() {
   return {"body forces",
-          [](const World&, const StepTools& t) { return hasTerms(t, LoadStage::Forces); },
+          [](const World&, const TermWork& terms) { return hasTerms(terms, LoadStage::Forces); },
           {{ModulePhase::FirstKick, [](StepContext& c) { recordTerms(c, HalfKick::First); }},
            {ModulePhase::ContinuumForce, [](StepContext& c) { addTerms(c, LoadStage::Forces); }},
            {ModulePhase::SecondKick, [](StepContext& c) { recordTerms(c, HalfKick::Second); }}}};
@@ -71,13 +71,13 @@ StepModule bodyForces() {
 
 StepModule heatExchange() {
   return {"heat exchange",
-          [](const World&, const StepTools& t) { return hasTerms(t, LoadStage::Exchange); },
+          [](const World&, const TermWork& terms) { return hasTerms(terms, LoadStage::Exchange); },
           {{ModulePhase::AllForces, [](StepContext& c) { addTerms(c, LoadStage::Exchange); }}}};
 }
 
 StepModule heatSources() {
   return {"heat sources",
-          [](const World&, const StepTools& t) { return hasTerms(t, LoadStage::Sources); },
+          [](const World&, const TermWork& terms) { return hasTerms(terms, LoadStage::Sources); },
           {{ModulePhase::AllForces, [](StepContext& c) {
               Continuum& p = c.w.particles;
               if (p.absorbed.active) std::fill_n(p.absorbed.data(), p.owned, 0.0f);
@@ -87,12 +87,12 @@ StepModule heatSources() {
 
 StepModule limitsOfTerms() {
   return {"limits of terms",
-          [](const World&, const StepTools& t) {
-            return std::any_of(t.terms.begin(), t.terms.end(),
+          [](const World&, const TermWork& terms) {
+            return std::any_of(terms.active.begin(), terms.active.end(),
                                [](const ActiveTerm& term) { return term.part->stepLimit != nullptr; });
           },
           {{ModulePhase::Limits, [](StepContext& c) {
-              for (const ActiveTerm& term : c.t.terms)
+              for (const ActiveTerm& term : c.t.terms.active)
                 if (term.part->stepLimit)
                   c.reduction.lower(limitNamed(term.part->limit),
                                     term.part->stepLimit(c.w.scene, c.w.clock.time));

@@ -9,7 +9,7 @@ namespace thaw {
 /// Energy of obstacles with an end (Obstacle::until).
 StepModule vanishingObstacles() {
   return {"obstacles that vanish",
-          [](const World& w, const StepTools&) {
+          [](const World& w, const TermWork&) {
             return std::any_of(w.walls.list.begin(), w.walls.list.end(),
                                [](const Wall& wall) { return wall.properties.until < never; });
           },
@@ -20,7 +20,8 @@ StepModule vanishingObstacles() {
             }},
            {ModulePhase::Density, [](StepContext& c) {
               if (!c.vanished.walls.list.empty())
-                recordVanished(c.walls, {c.t.surface, c.t.inverseLatticeSum}, c.vanished, c.t.wallContacts);
+                recordVanished(c.walls, {c.t.surface, c.t.sums.scales.inverseLatticeSum}, c.vanished,
+                               c.t.walls.contacts);
             }}}};
 }
 

@@ -7,15 +7,16 @@ namespace thaw {
 
 StepModule implicitViscosity() {
   return {"implicit viscosity",
-          [](const World& w, const StepTools&) { return w.modules.implicitViscosity; },
+          [](const World& w, const TermWork&) { return w.modules.implicitViscosity; },
           {{ModulePhase::AllForces, [](StepContext& c) { solveViscosity(c.w, c.halos, c.t, c.walls); }}}};
 }
 
 StepModule viscosityCorrection() {
   return {"corrected viscosity",
-          [](const World& w, const StepTools&) { return w.modules.viscosityCorrection; },
+          [](const World& w, const TermWork&) { return w.modules.viscosityCorrection; },
           {{ModulePhase::AllForces, [](StepContext& c) {
-              if (viscosityCorrectionDue(c.w)) correctViscosity(c.w, c.t);  // for the next step
+              // For the next step.
+              if (viscosityCorrectionDue(c.w.modules, c.w.clock)) correctViscosity(c.w, c.t.sums, c.t.walls);
             }}}};
 }
 

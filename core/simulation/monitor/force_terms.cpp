@@ -46,15 +46,18 @@ ForceTerms forceTerms(World& w, StepTools& t, std::size_t i) {
   };
   if (w.modules.contact)
     take(f.contact, forceOf(p, i, [&] {
-           addSolidContacts({w.scene, w.grid, w.solids, w.bonds, dt > 0 ? dt : w.clock.dt}, t.closePairs, p);
-           if (w.modules.bodyContact) addBodyContacts(bodyContactView(w, t, dt > 0 ? dt : w.clock.dt, 0), {});
+           addSolidContacts({w.scene, w.grid, w.solids, w.bonds, dt > 0 ? dt : w.clock.dt},
+                            t.contact.closePairs, p);
+           if (w.modules.bodyContact)
+             addBodyContacts(bodyContactView(w, t.contact.bodies, dt > 0 ? dt : w.clock.dt, 0), {});
          }));
-  const WallContext walls{wallView(w),           t.wallTables, t.liquids, dt, dt > 0 ? dt : w.clock.dt,
-                          1.0 / w.clock.substeps};
-  take(f.walls, forceOf(p, i, [&] { addWallForces(walls, t.inverseLatticeSum, t.wallContacts); }));
+  const WallContext walls{wallView(w), t.walls.tables,           t.liquids,
+                          dt,          dt > 0 ? dt : w.clock.dt, 1.0 / w.clock.substeps};
+  take(f.walls,
+       forceOf(p, i, [&] { addWallForces(walls, t.sums.scales.inverseLatticeSum, t.walls.contacts); }));
   if (w.modules.fluid) {
     std::fill_n(p.velocity.data(), p.size(), Vec3d{});  // removes resistance
-    packRecords({w.scene, w.modules, w.grid, t.liquids}, p, 0, p.size(), t.records);
+    packRecords({w.scene, w.modules, w.grid, t.liquids}, p, 0, p.size(), t.sums.records);
     if (p.drag.active) std::fill_n(p.drag.data(), p.owned, Vec3d{});
     if (p.positionForce.active) std::fill_n(p.positionForce.data(), p.owned, Vec3d{});
     take(f.pressure, forceOf(p, i, [&] {
@@ -71,7 +74,7 @@ ForceTerms forceTerms(World& w, StepTools& t, std::size_t i) {
   w.ledger = ledger;
   w.counters = counters;
   f.weight = p.mass[i] * length(w.scene.domain.gravity);
-  f.atWall = std::any_of(t.wallContacts.list.begin(), t.wallContacts.list.end(),
+  f.atWall = std::any_of(t.walls.contacts.list.begin(), t.walls.contacts.list.end(),
                          [&](const WallContact& c) { return c.row == i && c.distance < w.scene.spacing; });
   return f;
 }

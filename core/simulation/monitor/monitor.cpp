@@ -140,9 +140,8 @@ void acceptState(MonitorState& s, const Clock& clock, const LedgerReport& budget
   s.failures = s.halvings == 0 ? 0 : std::max(s.failures - 1, std::int64_t(0));
 }
 
-bool mayRetry(const World& w, const MonitorLimits& b) {
-  const Numerics& n = w.scene.numerics;
-  return n.retryEvery > 0 && w.watch.failures < n.retries && !retryTooShort(w.watch, w.clock, b);
+bool mayRetry(const Numerics& n, const MonitorState& watch, const Clock& clock, const MonitorLimits& b) {
+  return n.retryEvery > 0 && watch.failures < n.retries && !retryTooShort(watch, clock, b);
 }
 
 bool retryTooShort(const MonitorState& watch, const Clock& clock, const MonitorLimits& b) {

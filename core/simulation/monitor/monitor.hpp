@@ -47,7 +47,8 @@ void acceptState(MonitorState& watch, const Clock& clock, const LedgerReport& bu
 
 /// Returns true if a failed run may retry with half the step: not after Numerics::retries, and not with a
 /// step below MonitorLimits::step.
-bool mayRetry(const World& world, const MonitorLimits& bounds);
+bool mayRetry(const Numerics& numerics, const MonitorState& watch, const Clock& clock,
+              const MonitorLimits& bounds);
 /// Returns true if half the step is below MonitorLimits::step.
 bool retryTooShort(const MonitorState& watch, const Clock& clock, const MonitorLimits& bounds);
 

@@ -90,11 +90,12 @@ void emptyWorld(World& w, StepTools& t) {
   emptySurface(w.surface);
   clearBodyTypes(w);
   w.pieces.resize(0, 0);
-  t.elastic.capacity = 0;  // everything derived from bonds is recomputed
-  t.requests.clear();
-  t.leaving.clear();
-  t.bondsAtStart = t.emitFirst = t.phaseChangedHere = t.frozeAnywhere = t.meltedAnywhere = false;
-  t.maxStretch2 = 1;
+  t.solid.elastic.capacity = 0;  // everything derived from bonds is recomputed
+  t.solid.requests.clear();
+  t.redistribution.leaving.clear();
+  t.solid.bondsAtStart = t.sources.emitFirst = t.phaseChange.here = t.phaseChange.frozeAnywhere =
+      t.phaseChange.meltedAnywhere = false;
+  t.solid.maxStretch2 = 1;
 }
 
 std::vector<std::byte> restoreSnapshot(const WorldSnapshot& good, World& w) {

@@ -57,11 +57,9 @@ void activateHeat(Continuum& p, const Scene& s, const Modules& m) {
   turnOn(p, m.surfaceHeat, {&p.exposedArea});
 }
 
-void activatePieceFields(World& w) {
-  Continuum& p = w.particles;
-  const Modules& m = w.modules;
+void activatePieceFields(const Modules& m, Continuum& p, Pieces& pieces) {
   turnOn(p, true, {&p.piece, &p.bodyPosition, &p.pieceRow, &p.setLabel});
-  activatePieces(w.pieces);
+  activatePieces(pieces);
   turnOn(p, m.rigidify, {&p.restTime, &p.constraintForce});
   turnOn(p, !m.rigidify, {&p.faceNormal, &p.faceOffset, &p.faceRadius, &p.contactPartner, &p.contactImpulse});
   turnOn(p, m.rollingFriction, {&p.rollingImpulse});
@@ -71,18 +69,18 @@ void activatePieceFields(World& w) {
 
 }  // namespace
 
-void activateFields(World& w, StepTools& t) {
+void activateFields(World& w, const TermWork& terms, ElasticWork& elastic) {
   Continuum& p = w.particles;
   const Modules& m = w.modules;
   turnOn(p, true,
          {&p.id, &p.position, &p.velocity, &p.acceleration, &p.mass, &p.material, &p.body, &p.dissipated,
           &p.cell, &p.phase, &p.dissipation, &p.interaction});
-  turnOn(p, !t.outside.empty(), {&p.outsideForce});
+  turnOn(p, !terms.outside.empty(), {&p.outsideForce});
   for (const auto& added : p.added) p.activate(*added);
   activateFluid(p, m);
   const bool curvature = actsByCurvature(w.scene.numerics, m), pairTension = m.tension && !curvature;
   turnOn(p, curvature, {&p.surfaceGradient, &p.surfaceColour, &p.setLabel});
-  turnOn(p, m.shifting && m.continuity && (pairTension || !t.pairForces.empty()), {&p.positionForce});
+  turnOn(p, m.shifting && m.continuity && (pairTension || !terms.pairForces.empty()), {&p.positionForce});
   activateHeat(p, w.scene, m);
   turnOn(p, m.surface, {&p.surfacePosition, &p.component});
   turnOn(p, m.surface && m.solid, {&p.surfaceStartPosition});
@@ -94,7 +92,7 @@ void activateFields(World& w, StepTools& t) {
   turnOn(p, m.elastic && anyFriction(w.walls), {&p.wallShear});
   turnOn(p, m.elastic && !w.walls.list.empty(), {&p.contactDepth, &p.wallOffset});
   turnOn(p, m.bodyContact, {&p.contactDepth, &p.contactRest, &p.contactShear, &p.bodyContact});
-  if (m.rigid) activatePieceFields(w);
+  if (m.rigid) activatePieceFields(m, p, w.pieces);
   turnOn(p, m.sleep, {&p.restTime, &p.sleep, &p.constraintForce});
   if (m.sleep)  // values of skipped rows persist and move with their rows
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.relativeDensity, &p.freeSurfaceIndicator,
@@ -115,7 +113,7 @@ void activateFields(World& w, StepTools& t) {
   turnOn(p, faces, {&p.sheetFace, &p.sheetNormalForce, &p.sheetContactData, &p.sheetFriction});
   if (m.surface) activateSurfaceFields(w.surface, m, !w.walls.list.empty());
   if (p.initialFill.active) w.surface.particles.activate(w.surface.particles.fill);
-  if (m.solid) activateSolidFields(p, w.solids, w.bonds, t.elastic, w.scene, m, w.grid);
+  if (m.solid) activateSolidFields(p, w.solids, w.bonds, elastic, w.scene, m, w.grid);
 }
 
 }  // namespace thaw

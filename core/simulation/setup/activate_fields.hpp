@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include "core/simulation/workspace/step_tools.hpp"
-
+#include "core/domain/term_work.hpp"
 #include "core/simulation/world/world.hpp"
+#include "core/solid/elasticity/elastic.hpp"
 
 namespace thaw {
 
 /// Activates the fields of particles and solids that the scene's modules need.
-void activateFields(World& world, StepTools& tools);
+void activateFields(World& world, const TermWork& terms, ElasticWork& elastic);
 
 }  // namespace thaw

@@ -27,12 +27,13 @@ void describeShape(Modules& modules, const Shape& s) {
   for (const Shape& part : s.parts) describeShape(modules, part);
 }
 
-void lower(StepTools& t, double limit) {
-  double& least = t.fixedLimits[Limit::Extension];
+void lower(StepLimits& limits, double limit) {
+  double& least = limits[Limit::Extension];
   least = std::min(least, limit);
 }
 
-void addPairForce(World& w, StepTools& t, const Extension& e, const ExtensionSettings& settings) {
+void addPairForce(World& w, TermWork& terms, StepLimits& limits, const Extension& e,
+                  const ExtensionSettings& settings) {
   if (!w.modules.fluid)
     throw std::runtime_error(
         "extension '" + e.name +
@@ -43,22 +44,23 @@ void addPairForce(World& w, StepTools& t, const Extension& e, const ExtensionSet
   work.force = &e.pairForce;
   work.settings = &settings;
   for (const ExtensionKey& key : e.keys) work.values.push_back(settings.values.at(key.name));
-  t.pairForces.push_back(std::move(work));
-  if (e.pairForce.stepLimit) lower(t, e.pairForce.stepLimit(settings, w.scene));
+  terms.pairForces.push_back(std::move(work));
+  if (e.pairForce.stepLimit) lower(limits, e.pairForce.stepLimit(settings, w.scene));
 }
 
 }  // namespace
 
-void startTerms(World& w, StepTools& t, const MeshLoader& load, SceneProblems& problems) {
+void startTerms(const Scene& scene, const Modules& modules, TermWork& terms, const MeshLoader& load,
+                SceneProblems& problems) {
   for (const Extension* term : modelTerms()) {
     for (const PairSweep& sweep : term->model->sweeps)
-      if (sweep.isOn(w.scene.numerics, w.modules)) t.sweeps.push_back(&sweep);
-    if (term->model->start && isUsed(*term, w.scene, w.modules))
-      t.terms.push_back({&*term->model, term->model->start({w.scene, load, problems})});
+      if (sweep.isOn(scene.numerics, modules)) terms.sweeps.push_back(&sweep);
+    if (term->model->start && isUsed(*term, scene, modules))
+      terms.active.push_back({&*term->model, term->model->start({scene, load, problems})});
   }
 }
 
-void addExtensions(World& w, StepTools& t) {
+void addExtensions(World& w, TermWork& terms, StepLimits& limits) {
   declareFields(w.scene, w.particles);
   for (const ExtensionSettings& settings : w.scene.extensions) {
     const Extension& e = extensionOf(settings.name);
@@ -67,14 +69,15 @@ void addExtensions(World& w, StepTools& t) {
       throw std::runtime_error(
           "extension '" + e.name +
           "' is a source of heat, but the scene has no [[body]] and no [[emitter]] that it could heat");
-    if (e.load) t.outside.push_back(e.load(settings));
-    if (e.update) t.fieldUpdates.push_back(e.update(settings));
-    if (e.stepLimit) lower(t, e.stepLimit(settings));
-    if (e.pairForce.kernels.sum) addPairForce(w, t, e, settings);
+    if (e.load) terms.outside.push_back(e.load(settings));
+    if (e.update) terms.fieldUpdates.push_back(e.update(settings));
+    if (e.stepLimit) lower(limits, e.stepLimit(settings));
+    if (e.pairForce.kernels.sum) addPairForce(w, terms, limits, e, settings);
   }
   static const ExtensionSettings none;  // keys of terms are members of the scene
   for (const Extension* term : modelTerms())
-    if (term->pairForce.kernels.sum && isUsed(*term, w.scene, w.modules)) addPairForce(w, t, *term, none);
+    if (term->pairForce.kernels.sum && isUsed(*term, w.scene, w.modules))
+      addPairForce(w, terms, limits, *term, none);
   for (const Material& m : w.scene.materials)
     if (const Extension& law = extensionOf(m.law.name); !law.builtIn) describe(w.modules, law);
   for (const Body& b : w.scene.bodies) describeShape(w.modules, b.shape);

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // The parts of a scene's extensions and terms in a world (core/domain/extensions.hpp).
 #pragma once
+#include "core/domain/term_work.hpp"
 #include "core/geometry/basic/shape_error.hpp"
 #include "core/geometry/basic/signed_distance.hpp"
-#include "core/simulation/workspace/step_tools.hpp"
+#include "core/simulation/time/step_limits.hpp"
 #include "core/simulation/world/world.hpp"
 
 namespace thaw {
 
 /// Starts the terms of the library that the scene uses. Adds unusable shapes to problems.
-void startTerms(World& world, StepTools& tools, const MeshLoader& load, SceneProblems& problems);
+void startTerms(const Scene& scene, const Modules& modules, TermWork& terms, const MeshLoader& load,
+                SceneProblems& problems);
 
 /// Adds loads, pair forces, fields and their updates, and step limits of the scene's extensions, and pair
 /// forces of the library that it uses. Throws std::runtime_error for an extension that is not
 /// registered, and for a pair force that the scene excludes.
-void addExtensions(World& world, StepTools& tools);
+void addExtensions(World& world, TermWork& terms, StepLimits& limits);
 
 }  // namespace thaw

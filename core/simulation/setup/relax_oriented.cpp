@@ -189,7 +189,7 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
   work.relaxProgress = {};
   countRows(view, halos.all);
   for (; done < plan.iterations; done++) {
-    redistributeBodyTypes(w, halos, t);
+    redistributeBodyTypes(w, halos, t.redistribution);
     updateNeighbours(w.oriented, w.scene, halos, work.lists);
     w.clock.step = done;  // hashes of births use the step
     if (plan.grows && done % 10 == 0) {

@@ -29,12 +29,12 @@ void kernelGradients(World& w, Halos& halos, StepTools& t) {
   computeCellKeys(w.grid, p);
   if (p.slot.active)
     for (std::size_t i = 0; i < p.owned; i++) p.slot[i] = noSlot;
-  sortByCell(p, m, t.sort, w.cells);
-  sendGhosts(halos.cells, p, w.cells, ghostColumns(w)).wait();
+  sortByCell(p, m, t.redistribution.sort, w.cells);
+  sendGhosts(halos.cells, p, w.cells, ghostColumns(w.modules, p)).wait();
   clearRates(w.particles);
-  markInner(w, halos.cells, t);
-  t.ghostRoom = std::max(t.ghostRoom, p.ghosts);
-  sumUnitPressure(w, t);
+  markInner(w.cells, p.owned, halos.cells, t.sums.inner);
+  t.sums.ghostRoom = std::max(t.sums.ghostRoom, p.ghosts);
+  sumUnitPressure(w, t.liquids, t.sums);
 }
 
 /// By body: 1 if it is relaxed and none of its particles is within range of a wall, which would constrain it.
@@ -65,11 +65,11 @@ std::vector<std::uint8_t> freeBodies(const World& w, Halos& halos, const std::ve
 int relaxDensity(World& w, Halos& halos, StepTools& t, const std::vector<std::uint8_t>& moves) {
   Continuum& p = w.particles;
   const double dx = w.scene.spacing, slope = largestRelativeDensityGradient(w.scene.numerics) *
-                                             t.inverseLatticeSum / w.grid.support;
+                                             t.sums.scales.inverseLatticeSum / w.grid.support;
   if (std::find(moves.begin(), moves.end(), 1) == moves.end()) return 0;
   for (int k = 0; k < densityRelaxationIterations; k++) {
     kernelGradients(w, halos, t);
-    sumExcessPressure(w, halos.cells, t);
+    sumExcessPressure(w, halos.cells, t.liquids, t.sums);
     double excess = 0;
     for (std::size_t i = 0; i < p.owned; i++)
       if (p.phase[i] == Liquid && moves[p.body[i]])

@@ -31,13 +31,14 @@ struct MisplacedSamples {
 constexpr std::size_t codes = 65536;
 
 /// x: position of a sample, wrapped into the domain.
-void checkSample(const World& w, std::size_t body, const Vec3d& x, MisplacedSamples& o) {
-  if (o.outside[body].look(w.scene.domain, x)) return;  // a wall side is an obstacle as well: report it once
-  for (std::size_t k = 0; k < w.walls.list.size(); k++) {
-    if (!holdsSample(w.walls.list[k], x, w.scene.spacing)) continue;
+void checkSample(const Scene& scene, const Walls& walls, std::size_t body, const Vec3d& x,
+                 MisplacedSamples& o) {
+  if (o.outside[body].look(scene.domain, x)) return;  // a wall side is an obstacle as well: report it once
+  for (std::size_t k = 0; k < walls.list.size(); k++) {
+    if (!holdsSample(walls.list[k], x, scene.spacing)) continue;
     o.inObstacles++;
     o.firstObstacle = std::max(o.firstObstacle,
-                               -static_cast<double>(body * codes + w.walls.list[k].originalAt(k)));
+                               -static_cast<double>(body * codes + walls.list[k].originalAt(k)));
   }
 }
 
@@ -131,7 +132,7 @@ std::vector<std::int64_t> pointsInside(const World& w, std::size_t b, const Samp
         o.inItself++, o.firstItself = std::max(o.firstItself, -static_cast<double>(b));
       Vec3d in = x;
       wrapPlace(w.grid, s.domain, in);
-      checkSample(w, b, in, o);
+      checkSample(s, w.walls, b, in, o);
       points.push_back(row * l.count[0] + k);
     }
   return points;
@@ -174,7 +175,7 @@ void sampleBody(World& w, std::size_t b, const Reducer& all, Sampling& found) {
 }
 
 /// Adds up all counts over ranks, and normalises initial fills. Collective.
-void reduceCounts(World& w, Sampling& found, Reducer& all) {
+void reduceCounts(const Scene& scene, Continuum& p, Sampling& found, Reducer& all) {
   SampleCounts& c = found.counts;
   MisplacedSamples& o = found.misplaced;
   const std::size_t n = c.particles.size();
@@ -186,8 +187,7 @@ void reduceCounts(World& w, Sampling& found, Reducer& all) {
   all.sum(found.overlaps.count);
   addUp(o.outside, all);
   all.sum(c.filled);
-  const Continuum& p = w.particles;
-  if (p.initialFill.active) normaliseInitialFill(w.scene, w.particles, c.filled, c.particles);
+  if (p.initialFill.active) normaliseInitialFill(scene, p, c.filled, c.particles);
   if (p.clamped.active)
     for (std::size_t i = 0; i < p.owned; i++) c.clamped[p.body[i]] += p.clamped[i] == held;
   all.sum(c.clamped);
@@ -243,14 +243,14 @@ void warnOfNarrowBodies(const Scene& s, const Shapes& shapes, std::vector<SceneW
 }
 
 /// Sets the first body that lies in an obstacle.
-void reportMisplaced(const World& w, const Sampling& found, SamplingReport& report) {
-  const std::vector<Body>& bodies = w.scene.bodies;
+void reportMisplaced(const std::vector<Body>& bodies, const Walls& walls, const Sampling& found,
+                     SamplingReport& report) {
   report.inObstacles = found.misplaced.inObstacles;
   if (report.inObstacles == 0) return;
   const std::size_t code = static_cast<std::size_t>(-found.misplaced.firstObstacle);
   report.obstacleWhere = bodies[code / codes].where;
   report.firstObstacle = "of body '" + bodies[code / codes].name + "' in obstacle '" +
-                         w.walls.list[code % codes].properties.name + "'";
+                         walls.list[code % codes].properties.name + "'";
 }
 
 }  // namespace
@@ -264,12 +264,12 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
   setPhase(w.scene, w.modules, w.particles, 0, w.particles.owned);
   setStartMasses(w.scene, w.particles);
   assignStartFields(w, shapes, all, false);
-  reduceCounts(w, found, all);
+  reduceCounts(w.scene, w.particles, found, all);
   refuseUnsampled(w.scene, found);
   SamplingReport report;
   warnOfEmptyClamps(w.scene, found.counts, all, report.warnings);
   warnOfNarrowBodies(w.scene, shapes, report.warnings);
-  reportMisplaced(w, found, report);
+  reportMisplaced(w.scene.bodies, w.walls, found, report);
   report.overlaps = describeOverlaps(found.overlaps, w.scene.bodies);
   report.particles = std::move(found.counts.particles);
   report.clamped = std::move(found.counts.clamped);

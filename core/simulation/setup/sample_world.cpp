@@ -26,13 +26,14 @@ namespace thaw {
 namespace {
 
 /// Adds notes on the meshes of obstacles, and a warning for obstacles with a step at a periodic side.
-void addWallWarnings(const World& w, std::vector<SceneWarning>& warnings) {
-  for (const Wall& wall : w.walls.list) {
+void addWallWarnings(const Scene& scene, const CellGrid& grid, const Walls& walls,
+                     std::vector<SceneWarning>& warnings) {
+  for (const Wall& wall : walls.list) {
     if (wall.isImage()) continue;
     const auto add = [&](const std::string& text) {
       warnings.push_back({wall.properties.where, "obstacle '" + wall.properties.name + "'" + text});
     };
-    if (const std::string axes = unevenAxes(w.scene.domain, wall, w.grid.support); !axes.empty())
+    if (const std::string axes = unevenAxes(scene.domain, wall, grid.support); !axes.empty())
       add(" spans the periodic axis " + axes +
           ", but its two ends do not match: particles that cross that side meet a step");
     std::vector<std::string> notes;  // repairs of meshes
@@ -48,8 +49,8 @@ std::string lineText(const SourcePlace& where) { return where.file + ":" + std::
 using BodyShapes = std::vector<std::shared_ptr<const SignedDistance>>;
 
 /// Adds bodies that overlap or lie outside, and emitters out of place.
-void addMisplaced(const World& w, const StepTools& t, const BodyShapes& shapes, const SamplingReport& report,
-                  SceneProblems& problems) {
+void addMisplaced(const World& w, const std::vector<EmitterPlan>& emitters, const BodyShapes& shapes,
+                  const SamplingReport& report, SceneProblems& problems) {
   if (w.scene.numerics.overlap == OverlapRule::Error)
     for (const BodyOverlap& pair : report.overlaps)
       problems.add(w.scene.bodies[pair.second].where,
@@ -63,8 +64,8 @@ void addMisplaced(const World& w, const StepTools& t, const BodyShapes& shapes, 
                                    outsideText(report.outside[b], w.scene.domain, report.particles[b],
                                                "particles", "body") +
                                    sizeHint(w.scene, body.shape, shapes[b]->bounds()));
-  for (std::size_t e = 0; e < t.emitters.size(); e++)
-    if (const std::string why = misplacedOpening(w.scene, w.walls, w.scene.emitters[e], t.emitters[e]);
+  for (std::size_t e = 0; e < emitters.size(); e++)
+    if (const std::string why = misplacedOpening(w.scene, w.walls, w.scene.emitters[e], emitters[e]);
         !why.empty())
       problems.add(w.scene.emitters[e].where, why);
   if (report.inObstacles > 0 && w.scene.numerics.overlap != OverlapRule::Keep)
@@ -89,41 +90,44 @@ void addBodyNotes(const Scene& scene, const BodyShapes& shapes, std::vector<Scen
 }
 
 /// Sorts the sampled particles and makes the first partition, by their number. Collective.
-void partitionSampled(World& w, Halos& halos, StepTools& t) {
+void partitionSampled(World& w, CellHalo& halo, RedistributionWork& work) {
   Continuum& p = w.particles;
   // Jitter may cross a seam by rounding.
   for (std::size_t i = 0; i < p.owned; i++) wrapPlace(w.grid, w.scene.domain, p.position[i]);
   computeCellKeys(w.grid, p);
   Migration all;
   all.arrivals = p.owned;
-  sortByCell(p, all, t.sort, w.cells);
+  sortByCell(p, all, work.sort, w.cells);
   const CellCosts costs = countCells(w);
-  halos.cells.rebalance(costs.cells, costs.cost, true);
-  t.newPartition = true;
+  halo.rebalance(costs.cells, costs.cost, true);
+  work.newPartition = true;
 }
 
 }  // namespace
 
 SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader& load) {
-  const BodyShapes shapes = std::exchange(t.shapes, {});
+  const BodyShapes shapes = std::exchange(t.sources.shapes, {});
   moveWalls(w.walls, 0);
   SamplingReport report = sampleBodies(w, shapes, halos.all);
   SceneProblems problems;
-  addMisplaced(w, t, shapes, report, problems);
+  addMisplaced(w, t.sources.emitters, shapes, report, problems);
   problems.raise();
-  for (std::size_t e = 0; e < t.emitters.size(); e++)
-    if (const std::string much = unevenOutflow(w.scene, w.scene.emitters[e], t.emitters[e]); !much.empty())
+  for (std::size_t e = 0; e < t.sources.emitters.size(); e++)
+    if (const std::string much = unevenOutflow(w.scene, w.scene.emitters[e], t.sources.emitters[e]);
+        !much.empty())
       report.warnings.push_back({w.scene.emitters[e].where, much});
-  append(thickFlows(w, t), report.warnings);
+  append(thickFlows(w.scene, w.modules, t.limits.fixed), report.warnings);
   append(thinWalls(w, shapes, report.particles, halos.all), report.warnings);
-  const std::vector<std::vector<Vec3d>> oriented = sampleBodyTypes(w, halos, t, load, report.warnings);
+  t.oriented.begins = true;
+  const std::vector<std::vector<Vec3d>> oriented = sampleBodyTypes(w, halos, t.redistribution.sort, load,
+                                                                   report.warnings);
   if (w.modules.bodyTypes())
     append(bodyTypeStartWarnings(w, shapes, oriented, halos.all, problems), report.warnings);
   problems.raise();
-  addWallWarnings(w, report.warnings);
+  addWallWarnings(w.scene, w.grid, w.walls, report.warnings);
   addBodyNotes(w.scene, shapes, report.warnings);
   append(overlapsOfRegions(w.sheets, w.scene, load), report.warnings);
-  partitionSampled(w, halos, t);
+  partitionSampled(w, halos.cells, t.redistribution);
   relaxPacking(w, halos, t, shapes);
   assignStartFields(w, shapes, halos.all, true);
   Continuum& p = w.particles;

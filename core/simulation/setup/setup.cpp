@@ -82,9 +82,9 @@ void recordStored(World& w, StepTools& t, double sign, ExactSum& to) {
 }
 
 /// Frees the buffers of the first sorts, which cover all rows.
-void dropBuffersOfStart(Continuum& particles, StepTools& t) {
+void dropBuffersOfStart(Continuum& particles, SortBuffers& sort) {
   particles.shrink();
-  t.sort = {};
+  sort = {};
   trimFreedMemory();
 }
 
@@ -106,17 +106,16 @@ double fallHeightOf(const Scene& s, const std::vector<std::shared_ptr<const Sign
 }
 
 /// Largest distance (m) at which something interacts with an obstacle.
-double reachOfWalls(const World& w) {
-  double reach = std::max({w.grid.edge.x, w.grid.edge.y, w.grid.edge.z});
-  for (const SheetPlan& plan : w.sheets.plans) reach = std::max(reach, 2 * plan.thickness);
-  for (const OrientedBody& b : w.scene.oriented)
-    reach = std::max(reach, 2 * b.thickness * spacingOf(w.scene, b));
+double reachOfWalls(const Scene& scene, const CellGrid& grid, const SheetBodies& sheets) {
+  double reach = std::max({grid.edge.x, grid.edge.y, grid.edge.z});
+  for (const SheetPlan& plan : sheets.plans) reach = std::max(reach, 2 * plan.thickness);
+  for (const OrientedBody& b : scene.oriented) reach = std::max(reach, 2 * b.thickness * spacingOf(scene, b));
   return reach;
 }
 
 /// Adds the walls of obstacles and of the domain, and the shapes of bodies and terms. Throws with all
 /// unreadable meshes and their places in the scene.
-void makeShapes(World& w, StepTools& t, const MeshLoader& load) {
+void makeShapes(World& w, ParticleSources& sources, TermWork& terms, const MeshLoader& load) {
   SceneProblems problems;
   for (const Obstacle& o : w.scene.obstacles) {
     Wall wall;
@@ -130,9 +129,9 @@ void makeShapes(World& w, StepTools& t, const MeshLoader& load) {
   std::vector<std::shared_ptr<const SignedDistance>> shapes;
   for (const Body& b : w.scene.bodies)
     shapes.push_back(makeSignedDistance(b.shape, load, "body '" + b.name + "'", problems));
-  startTerms(w, t, load, problems);
+  startTerms(w.scene, w.modules, terms, load, problems);
   problems.raise();
-  t.shapes = std::move(shapes);
+  sources.shapes = std::move(shapes);
 }
 
 /// Sets the liquids, the contacts of body types with them, and the limits of the step.
@@ -141,39 +140,51 @@ void planLiquidsAndLimits(World& w, StepTools& t) {
   if (w.modules.sheet) planParticleContact(w.scene, t.liquids, w.sheets.plans);
   if (w.modules.oriented) t.oriented.obstacles = planObstacleContact(w.scene);
   if (w.modules.orientedContact) t.oriented.contacts = planOrientedContact(w.scene, t.liquids);
-  t.fixedLimits = materialLimits(w.scene, w.modules, t.liquids);
-  addExtensions(w, t);
+  t.limits.fixed = materialLimits(w.scene, w.modules, t.liquids);
+  addExtensions(w, t.terms, t.limits.fixed);
   if (w.modules.substeps && (!w.modules.contact || w.modules.rareContact))
-    std::swap(t.longestContact, t.fixedLimits[Limit::Contact]);
-  t.watch = monitorLimits(w.scene, w.modules, t.liquids, t.fixedLimits);
+    std::swap(t.limits.longestContact, t.limits.fixed[Limit::Contact]);
+  t.limits.monitor = monitorLimits(w.scene, w.modules, t.liquids, t.limits.fixed);
 }
 
-/// Sets the constants of pair sums, which follow from kernel and spacing.
+/// Returns the constants of pair sums. support: m.
+SumScales sumScales(const Scene& s, const Modules& modules, double support) {
+  const Numerics& n = s.numerics;
+  SumScales scales;
+  if (modules.fluid) scales.viscousWeight = viscousWeight(n);
+  scales.conductionScale = conductionScale(n);
+  const bool plain = n.density == DensityForm::Plain || n.pressure == PairForm::Printed;
+  scales.inverseLatticeSum = 1 / (plain ? latticeSum(n) : latticeGradient(n));
+  const double cellsInSupport = std::pow(support / s.spacing, 3);
+  scales.selfExcess = (latticeSum(n) * scales.inverseLatticeSum - 1) * cellsInSupport;
+  scales.relativeDensityScale = scales.inverseLatticeSum / (support * support * support);
+  return scales;
+}
+
+/// Sets the constants of the pressure solver.
+void planPressure(const Scene& s, const std::vector<LiquidMaterial>& liquids, double inverseLatticeSum,
+                  PressureWork& work) {
+  const Numerics& n = s.numerics;
+  double sound = 0;  // proportional to the expected speed
+  for (const LiquidMaterial& l : liquids) sound = std::max(sound, l.soundSpeed);
+  work.targetRelativeDensity = 1 + (slidingLatticeSum(n) - latticeSum(n)) * inverseLatticeSum;
+  work.closed = liquidFillsTheBox(s) || n.buoyancy == Buoyancy::Boussinesq;
+  if (work.closed) work.targetRelativeDensity += flowDensityExcess;
+  work.relaxation = 0.9 / largestPressureResponse(n);
+  work.correctionTime = s.spacing / (sound * std::sqrt(n.maxDensityError));
+}
+
+/// Sets the constants of sums over pairs, walls and free surfaces.
 void setScales(const World& w, StepTools& t) {
   const Numerics& n = w.scene.numerics;
-  if (w.modules.fluid) {
-    t.viscousWeight = viscousWeight(n);
-    t.stableViscousStep = stableViscousStep(n);
-  }
-  t.conductionScale = conductionScale(n);
-  t.wallTables = makeWallTables(n);
-  const double h = w.grid.support;
-  const bool plain = n.density == DensityForm::Plain || n.pressure == PairForm::Printed;
-  t.inverseLatticeSum = 1 / (plain ? latticeSum(n) : latticeGradient(n));
-  const double cellsInSupport = std::pow(h / w.scene.spacing, 3);
-  t.selfExcess = (latticeSum(n) * t.inverseLatticeSum - 1) * cellsInSupport;
-  if (w.modules.incompressible) {
-    double sound = 0;  // proportional to the expected speed
-    for (const LiquidMaterial& l : t.liquids) sound = std::max(sound, l.soundSpeed);
-    t.pressure.targetRelativeDensity = 1 + (slidingLatticeSum(n) - latticeSum(n)) * t.inverseLatticeSum;
-    t.pressure.closed = liquidFillsTheBox(w.scene) || n.buoyancy == Buoyancy::Boussinesq;
-    if (t.pressure.closed) t.pressure.targetRelativeDensity += flowDensityExcess;
-    t.pressure.relaxation = 0.9 / largestPressureResponse(n);
-    t.pressure.correctionTime = w.scene.spacing / (sound * std::sqrt(n.maxDensityError));
-  }
-  if (actsByCurvature(n, w.modules)) t.tensionInterval = tensionInterval(w.scene);
-  if (w.modules.surfaceEnergy) t.surface = surfaceMeasure(n, w.scene.spacing);
-  t.relativeDensityScale = t.inverseLatticeSum / (h * h * h);
+  const Modules& m = w.modules;
+  t.sums.scales = sumScales(w.scene, m, w.grid.support);
+  t.walls.tables = makeWallTables(n);
+  if (m.fluid) t.limits.stableViscousStep = stableViscousStep(n);
+  if (m.uniform && m.artificialViscosity) t.sums.artificialViscosity = t.liquids[0].artificial;
+  if (m.incompressible) planPressure(w.scene, t.liquids, t.sums.scales.inverseLatticeSum, t.pressure);
+  if (actsByCurvature(n, m)) t.limits.tensionInterval = tensionInterval(w.scene);
+  if (m.surfaceEnergy) t.surface = surfaceMeasure(n, w.scene.spacing);
 }
 
 }  // namespace
@@ -185,25 +196,25 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   if (w.modules.surface) prepareSurface(w);
   w.clock.end = w.scene.end;
   w.clock.every = w.scene.output.every;
-  makeShapes(w, t, load);
+  makeShapes(w, t.sources, t.terms, load);
   if (w.modules.sheet) prepareSheets(w.sheets, w.scene, load);
   if (const double reach = std::max(faceContactReach(w.sheets.plans),
                                     meshContactReach(w.scene, w.sheets.plans));
       reach > w.grid.edge.x)
     w.grid = makeGrid(w.scene, reach);
-  addWallImages(w.scene.domain, reachOfWalls(w), w.walls);
-  w.scene.fallHeight = fallHeightOf(w.scene, t.shapes);
-  t.emitters = planEmitters(w.scene);
-  w.scene.expected = expectedMotion(w.scene, t.shapes, w.walls, t.emitters);
+  addWallImages(w.scene.domain, reachOfWalls(w.scene, w.grid, w.sheets), w.walls);
+  w.scene.fallHeight = fallHeightOf(w.scene, t.sources.shapes);
+  t.sources.emitters = planEmitters(w.scene);
+  w.scene.expected = expectedMotion(w.scene, t.sources.shapes, w.walls, t.sources.emitters);
 
   if (w.modules.oriented) prepareOriented(w.scene, t.oriented, load);
-  t.kernels = pairKernels();
+  t.sums.kernels = pairKernels();
   planLiquidsAndLimits(w, t);
   setScales(w, t);
   if (actsByCurvature(w.scene.numerics, w.modules)) declareTensionForce(w.particles);
-  activateFields(w, t);
-  prepareBodyContact(w.scene, w.grid, t.bodyContact);
-  t.phases = phasesOf(w, t);
+  activateFields(w, t.terms, t.solid.elastic);
+  prepareBodyContact(w.scene, w.grid, t.contact.bodies);
+  t.phases = phasesOf(w, t.terms);
 }
 
 void initializeForces(World& w, Halos halos, StepTools& t) {
@@ -211,16 +222,16 @@ void initializeForces(World& w, Halos halos, StepTools& t) {
   t.times.start();
   const double fixed = w.scene.numerics.fixedStep;
   // Used until particle limits are known.
-  w.clock.dt = fixed > 0 ? fixed : t.fixedLimits[t.fixedLimits.smallest()];
-  if (fieldsDeferred(w.bonds, t))
-    for (AnyColumn* c : columnsOfSteps(w.solids, t.elastic)) w.solids.deactivate(*c);
+  w.clock.dt = fixed > 0 ? fixed : t.limits.fixed[t.limits.fixed.smallest()];
+  if (fieldsDeferred(w.bonds, t.solid))
+    for (AnyColumn* c : columnsOfSteps(w.solids, t.solid.elastic)) w.solids.deactivate(*c);
   evaluateNow(w, halos, t);
   if (!w.modules.neighbours) {  // only needed for the bonds of the start
     w.neighbours = {};
-    t.records = {};
-    t.search = {};
+    t.sums.records = {};
+    t.sums.search = {};
   }
-  dropBuffersOfStart(w.particles, t);
+  dropBuffersOfStart(w.particles, t.redistribution.sort);
   t.mass = totalMass(w.particles, halos.all);
   const LedgerReport now = reportLedger(w, t, halos.all);
   w.ledger.initial = now.now;
@@ -237,11 +248,11 @@ SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader&
   SamplingReport report = sampleWorld(w, halos, t, load);
   if (change) change(w.particles);
   if (w.modules.oriented) t.oriented.relaxed = relaxOriented(w, halos, t);
-  t.bondsAtStart = w.modules.solid;
+  t.solid.bondsAtStart = w.modules.solid;
   t.rigid.atStart = w.modules.rigid && !w.modules.rigidify;
-  t.emitFirst = true;
+  t.sources.emitFirst = true;
   initializeForces(w, halos, t);
-  for (SceneWarning& warning : compressedLiquids(w, t, halos.all))
+  for (SceneWarning& warning : compressedLiquids(w, t.liquids, halos.all))
     report.warnings.push_back(std::move(warning));
   w.startDensity = {};
   return report;
@@ -251,9 +262,9 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   Continuum& p = w.particles;
   t.times.start();
   moveWalls(w.walls, w.clock.time);
-  t.shapes = {};
+  t.sources.shapes = {};
   t.sleep = {};
-  forgetActiveSlots(t.elastic);
+  forgetActiveSlots(t.solid.elastic);
   w.solids.energyKnown = w.compressionKnown = true;  // part of the state
   if (p.slot.active) {
     for (std::size_t i = 0; i < p.owned; i++) p.slot[i] = noSlot;
@@ -262,39 +273,40 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   computeCellKeys(w.grid, p);
   Migration all;
   all.arrivals = p.owned;
-  sortByCell(p, all, t.sort, w.cells);
+  sortByCell(p, all, t.redistribution.sort, w.cells);
   forEachBodyType(w, [&](std::size_t, BodyTypeRows& r, CellTable& cells) {
     computeCellKeys(w.grid, r);
     Migration fresh;
     fresh.arrivals = r.owned;
-    sortByCell(r, fresh, t.sort, cells);
+    sortByCell(r, fresh, t.redistribution.sort, cells);
   });
   if (w.modules.rigid) {
     t.rigid = {};
     t.rigid.departed.assign(w.pieces.id.data(), w.pieces.id.data() + w.pieces.owned);
-    linkPieces(rigidView(w, t), halos, PieceUsers::Owned);
+    linkPieces(rigidView(w, t.rigid), halos, PieceUsers::Owned);
   }
   const CellCosts costs = countCells(w);
   halos.cells.rebalance(costs.cells, costs.cost, true);
-  t.newPartition = true;
-  if (w.modules.bodyTypes())
-    redistributeBodyTypes(w, halos, t);  // after the ghosts they equal the state of the last step
+  t.redistribution.newPartition = true;
+  // After the ghosts they equal the state of the last step.
+  if (w.modules.bodyTypes()) redistributeBodyTypes(w, halos, t.redistribution);
   if (w.modules.oriented) updateNeighbours(w.oriented, w.scene, halos, t.oriented.lists);
   t.oriented.time = w.clock.time;
-  dropBuffersOfStart(w.particles, t);
+  dropBuffersOfStart(w.particles, t.redistribution.sort);
   t.mass = totalMass(w.particles, halos.all);
   double froze = 0;
   if (p.justFrozen.active)
     for (std::size_t i = 0; i < p.owned; i++) froze = p.justFrozen[i] ? 1 : froze;
   halos.all.maximum({&froze, 1});
-  t.frozeAnywhere = froze > 0;
-  t.phaseChangedHere = true;
+  t.phaseChange.frozeAnywhere = froze > 0;
+  t.phaseChange.here = true;
   // A resumed scene with a shorter step limit applies it to the first step too; for the same scene no bit
   // changes.
   const double fixed = w.scene.numerics.fixedStep, factor = w.watch.factor;
-  StepLimits limits = t.fixedLimits;
+  StepLimits limits = t.limits.fixed;
   if (w.modules.substeps)
-    limits[Limit::Elastic] = w.modules.mostSubsteps * std::min(limits[Limit::Elastic], t.longestContact);
+    limits[Limit::Elastic] = w.modules.mostSubsteps *
+                             std::min(limits[Limit::Elastic], t.limits.longestContact);
   if (mayBeDry(w.scene, w.modules)) {
     double wet = isDry(p) ? 0 : 1;
     halos.all.maximum({&wet, 1});
@@ -317,7 +329,7 @@ void applyNewCoefficients(World& w, Halos halos, StepTools& t) {
   findStoredEnergy(w, t);
   recordStored(w, t, 1, jump);
   w.ledger.restartJump += jump;
-  t.frozeAnywhere = false;  // newly frozen particles have bonds now
+  t.phaseChange.frozeAnywhere = false;  // newly frozen particles have bonds now
   StepContext c = stepContext(w, halos, t, 0);
   c.contactNear = w.modules.rareContact;  // unknown here, and a new stiffness shortens the limit
   reduceStep(c, {}, {});

@@ -21,7 +21,7 @@ void prepareWorld(World& world, StepTools& tools, const MeshLoader& load);
 SamplingReport sampleWorld(World& world, Halos halos, StepTools& tools, const MeshLoader& load);
 
 /// Computes forces and accelerations at time 0, the first dt, and the ledger's initial state; makes bonds if
-/// StepTools::bondsAtStart. Call it again after a program has changed positions, velocities or enthalpies.
+/// SolidWork::bondsAtStart. Call it again after a program has changed positions, velocities or enthalpies.
 /// Collective.
 void initializeForces(World& world, Halos halos, StepTools& tools);
 

@@ -21,11 +21,10 @@
 #include "core/simulation/views/views.hpp"
 
 namespace thaw {
-ColumnList ghostColumns(World& w) {
-  Continuum& p = w.particles;
+ColumnList ghostColumns(const Modules& m, Continuum& p) {
   ColumnList c{&p.position, &p.velocity, &p.mass, &p.material, &p.phase};
-  if (w.modules.solid) c.push_back(&p.id);
-  if (w.modules.solid || w.modules.contactConductance) c.push_back(&p.body);
+  if (m.solid) c.push_back(&p.id);
+  if (m.solid || m.contactConductance) c.push_back(&p.body);
   for (AnyColumn* column :
        std::initializer_list<AnyColumn*>{&p.piece, &p.faceNormal, &p.faceOffset, &p.faceRadius})
     if (column->active) c.push_back(column);
@@ -37,13 +36,12 @@ ColumnList ghostColumns(World& w) {
   const bool carriedPaths = p.compression.active && p.shiftingVelocity.active;
   if (carriedPaths) c.push_back(&p.shiftingVelocity);
   if (p.atSurface.active) c.push_back(&p.atSurface);
-  if (w.modules.bodyContact) c.push_back(&p.contactDepth);
+  if (m.bodyContact) c.push_back(&p.contactDepth);
   if (p.viscosityCorrection.active) c.push_back(&p.viscosityCorrection);
   if (p.conductionCorrection.active) c.push_back(&p.conductionCorrection);
-  if ((w.modules.incompressible || p.relief.active || carriedPaths) && p.clamped.active)
-    c.push_back(&p.clamped);
-  if (w.modules.sleep) c.push_back(&p.restTime);
-  if (w.modules.sleep) c.push_back(&p.sleep);
+  if ((m.incompressible || p.relief.active || carriedPaths) && p.clamped.active) c.push_back(&p.clamped);
+  if (m.sleep) c.push_back(&p.restTime);
+  if (m.sleep) c.push_back(&p.sleep);
   for (const auto& added : p.added)
     if (added->active && added->ghosts) c.push_back(added.get());
   return c;
@@ -62,7 +60,7 @@ void clearRates(Continuum& p, bool pairsSet) {
   if (p.positionForce.active) std::fill_n(p.positionForce.data(), p.owned, Vec3d{});
 }
 
-PairSums pairSumsOf(World& w, StepTools& t) {
+PairSums pairSumsOf(World& w, const PairSumWork& work) {
   Continuum& p = w.particles;
   const Numerics& n = w.scene.numerics;
   PairSums s;
@@ -72,7 +70,7 @@ PairSums pairSumsOf(World& w, StepTools& t) {
   s.pressureForm = n.pressure;
   s.viscosityForm = n.viscosity;
   s.viscous = !w.modules.implicitViscosity;
-  s.viscousWeight = t.viscousWeight;
+  s.viscousWeight = work.scales.viscousWeight;
   s.printedTension = n.tension == TensionForm::ColourField;
   s.heat = w.modules.heat;
   s.uniform = w.modules.uniform;
@@ -83,17 +81,17 @@ PairSums pairSumsOf(World& w, StepTools& t) {
                                                                           // packRecords
     s.viscosity = viscosityAt(m, 1, 293);
     s.conductivity = conductivityOf(n.heat, m, 1);
-    s.artificial = w.modules.artificialViscosity ? t.liquids[0].artificial : 0;
+    s.artificial = work.artificialViscosity;
   }
-  s.conductionScale = t.conductionScale;
+  s.conductionScale = work.scales.conductionScale;
   s.support = w.grid.support;
-  s.relativeDensityScale = t.relativeDensityScale;
-  s.selfExcess = t.selfExcess;
-  s.positionVolume = n.precision == Precision::Single ? t.records.fixed.data()
-                                                      : t.records.positionVolume.data();
-  s.velocityViscosity = t.records.velocityViscosity.data();
-  s.pressurePhaseHeat = t.records.pressurePhaseHeat.data();
-  s.surface = t.records.surface.data();
+  s.relativeDensityScale = work.scales.relativeDensityScale;
+  s.selfExcess = work.scales.selfExcess;
+  s.positionVolume = n.precision == Precision::Single ? work.records.fixed.data()
+                                                      : work.records.positionVolume.data();
+  s.velocityViscosity = work.records.velocityViscosity.data();
+  s.pressurePhaseHeat = work.records.pressurePhaseHeat.data();
+  s.surface = work.records.surface.data();
   s.closeDistance = (w.modules.rareContact ? contactSight : contactDistance) * w.scene.spacing /
                     w.grid.support;
   s.freeSurfaceIndicatorScale = 2 * w.scene.spacing;
@@ -107,77 +105,70 @@ PairSums pairSumsOf(World& w, StepTools& t) {
   s.coincident = &w.counters.coincidentPairs;
   s.carried = w.modules.continuity;
   s.relief = p.relief.active;
-  s.surfaceEnergyDerivatives = t.records.surfaceEnergyDerivatives.data();
+  s.surfaceEnergyDerivatives = work.records.surfaceEnergyDerivatives.data();
   s.surfaceGradient = p.surfaceGradient.data();
   s.surfaceColour = p.surfaceColour.data();
-  s.pressureDiagonal = t.records.pressureDiagonal.data();
-  s.pressureOffDiagonal = t.records.pressureOffDiagonal.data();
+  s.pressureDiagonal = work.records.pressureDiagonal.data();
+  s.pressureOffDiagonal = work.records.pressureOffDiagonal.data();
   if (p.concentrationGradient.active) s.concentrationGradient = p.concentrationGradient.data();
   return s;
 }
 
 namespace {
 
-void search(World& w, StepTools& t, Part part) {
+void search(World& w, PairSumWork& work, Part part) {
   const Continuum& p = w.particles;
   const std::size_t n = w.cells.key.size();
   const bool mixed = w.modules.fluid && w.modules.solid;
   if (mixed) {
-    t.liquidCells.assign(n, 0);
+    work.liquidCells.assign(n, 0);
     for (std::size_t c = 0; c < n; c++)
       for (std::uint32_t k = 0; k < w.cells.count[c]; k++) {
         const std::size_t i = w.cells.first[c] + k;
-        if (p.phase[i] == Liquid || (p.liquid.active && p.liquid[i] > 0)) t.liquidCells[c] = 1;
+        if (p.phase[i] == Liquid || (p.liquid.active && p.liquid[i] > 0)) work.liquidCells[c] = 1;
       }
   } else if (!w.modules.fluid) {
-    t.liquidCells.assign(n, 0);
+    work.liquidCells.assign(n, 0);
   }
   SearchInput in;
-  in.x = t.records.coarse[0].data(), in.y = t.records.coarse[1].data(), in.z = t.records.coarse[2].data();
+  in.x = work.records.coarse[0].data(), in.y = work.records.coarse[1].data(),
+  in.z = work.records.coarse[2].data();
   in.cells = &w.cells;
-  in.inner = t.inner.data();
-  in.liquid = mixed || !w.modules.fluid ? t.liquidCells.data() : nullptr;
+  in.inner = work.inner.data();
+  in.liquid = mixed || !w.modules.fluid ? work.liquidCells.data() : nullptr;
   in.owned = static_cast<std::uint32_t>(p.owned);
-  t.kernels->search(in, part, t.search, w.neighbours);
+  work.kernels->search(in, part, work.search, w.neighbours);
 }
 
 /// Searches the neighbours of rows that need no ghosts.
-void searchInner(World& w, StepTools& t) {
+void searchInner(World& w, PairSumWork& work, PhaseTimes& times) {
   const Continuum& p = w.particles;
   clearLists(w.neighbours, static_cast<std::uint32_t>(p.owned),
-             static_cast<std::uint32_t>(p.owned + t.ghostRoom));
-  search(w, t, Part::Inner);
-  t.times.lap(StepPhase::Search);
-}
-
-/// Corrects the heat of contacts. Inner groups have no ghosts.
-void sumContactHeat(const World& w, StepTools& t, const PairSums& sums, GroupRange range,
-                    NeighbourPass pass) {
-  const Continuum& p = w.particles;
-  const bool inner = pass == NeighbourPass::InnerForces;
-  packContactFaces(w.scene, p, inner ? 0 : p.owned, inner ? p.owned : p.size(), t.contactHeat);
-  addContactHeat(sums, t.contactHeat, range);
+             static_cast<std::uint32_t>(p.owned + work.ghostRoom));
+  search(w, work, Part::Inner);
+  times.lap(StepPhase::Search);
 }
 
 /// Packs the records of a density pass, and searches the neighbours of its rows. elapsed: s, last step.
 void searchNeighbours(World& w, StepTools& t, Part part, double elapsed) {
   const Continuum& p = w.particles;
-  RecordContext x = recordContext(w, t);
+  RecordContext x = recordContext(w, t.liquids);
   x.elapsed = elapsed;
   if (part == Part::Inner) {
-    resizeRecords(x, p.owned + t.ghostRoom, t.records);
+    resizeRecords(x, p.owned + t.sums.ghostRoom, t.sums.records);
     for (const RowSpan& rows : rowsToSee(w.modules, p, t.sleep))
-      packRecords(x, p, rows.begin, rows.end, t.records);
-    searchInner(w, t);
+      packRecords(x, p, rows.begin, rows.end, t.sums.records);
+    searchInner(w, t.sums, t.times);
   } else {
-    if (p.ghosts > t.ghostRoom) {  // more ghosts than ever: the padding of the inner lists points to rows
-                                   // that are now ghosts
-      t.ghostRoom = p.ghosts + p.ghosts / 8;
-      resizeRecords(x, p.owned + t.ghostRoom, t.records);
-      searchInner(w, t);  // the sums of inner particles are done
+    if (p.ghosts > t.sums.ghostRoom) {  // more ghosts than ever: the padding of the inner lists points to
+                                        // rows
+                                        // that are now ghosts
+      t.sums.ghostRoom = p.ghosts + p.ghosts / 8;
+      resizeRecords(x, p.owned + t.sums.ghostRoom, t.sums.records);
+      searchInner(w, t.sums, t.times);  // the sums of inner particles are done
     }
-    packRecords(x, p, p.owned, p.size(), t.records);
-    search(w, t, Part::Boundary);
+    packRecords(x, p, p.owned, p.size(), t.sums.records);
+    search(w, t.sums, Part::Boundary);
     t.times.lap(StepPhase::Search);
   }
 }
@@ -185,54 +176,58 @@ void searchNeighbours(World& w, StepTools& t, Part part, double elapsed) {
 /// elapsed: s, last step, over which liquids carry their density.
 void sumDensities(World& w, StepTools& t, GroupRange range, double elapsed) {
   if (w.modules.fluid) {
-    PairSums sums = pairSumsOf(w, t);
+    PairSums sums = pairSumsOf(w, t.sums);
     const CarryContext context = carryContext(w, t, elapsed);
     CarryStep carry;
     if (sums.carried) {
       carry = carryStepOf(context);
       sums.carry = &carry;
-      sums.positionVolume = t.records.middle.data();
+      sums.positionVolume = t.sums.records.middle.data();
     }
-    t.kernels->density(sums, range);
+    t.sums.kernels->density(sums, range);
   }
   const bool curvature = actsByCurvature(w.scene.numerics, w.modules) &&
-                         isTensionDue(t.tensionInterval, w.clock, elapsed);
-  if (w.modules.surfaceEnergy || curvature) t.kernels->surfaceColours(pairSumsOf(w, t), range);
+                         isTensionDue(t.limits.tensionInterval, w.clock, elapsed);
+  if (w.modules.surfaceEnergy || curvature) t.sums.kernels->surfaceColours(pairSumsOf(w, t.sums), range);
   t.times.lap(StepPhase::Density);
 }
 
 void sumForces(World& w, StepTools& t, NeighbourPass pass, GroupRange range) {
   Continuum& p = w.particles;
-  const RecordContext x = recordContext(w, t);
+  const RecordContext x = recordContext(w, t.liquids);
   const bool inner = pass == NeighbourPass::InnerForces;
   if (w.modules.fluid && !w.modules.incompressible) {  // else the pressure is computed at the end of the step
-    pass == NeighbourPass::InnerForces ? packPressure(x, p, 0, p.owned, t.records)
-                                       : packPressure(x, p, p.owned, p.size(), t.records);
+    pass == NeighbourPass::InnerForces ? packPressure(x, p, 0, p.owned, t.sums.records)
+                                       : packPressure(x, p, p.owned, p.size(), t.sums.records);
     w.compressionKnown = !w.modules.uniform;
   }
   if (w.modules.flowLaw)
-    pass == NeighbourPass::InnerForces ? packApparentViscosity(x, p, 0, p.owned, t.records)
-                                       : packApparentViscosity(x, p, p.owned, p.size(), t.records);
-  const PairSums s = pairSumsOf(w, t);
+    pass == NeighbourPass::InnerForces ? packApparentViscosity(x, p, 0, p.owned, t.sums.records)
+                                       : packApparentViscosity(x, p, p.owned, p.size(), t.sums.records);
+  const PairSums s = pairSumsOf(w, t.sums);
   PairSums particleForces = s, positionForces = s;
   if (p.positionForce.active) positionForces.force = p.positionForce.data();
   if (p.drag.active)
     particleForces.force = p.drag.data();  // viscosity only: the pressure is computed at the end of the
                                            // step
-  if (w.modules.fluid || w.modules.heat) t.kernels->forces(particleForces, range);
-  if (w.modules.contactConductance) sumContactHeat(w, t, s, range, pass);
-  for (const PairSweep* sweep : t.sweeps) {
+  if (w.modules.fluid || w.modules.heat) t.sums.kernels->forces(particleForces, range);
+  if (w.modules.contactConductance) {
+    packContactFaces(w.scene, p, inner ? 0 : p.owned, inner ? p.owned : p.size(), t.heat.contact);
+    addContactHeat(s, t.heat.contact, range);  // corrects the heat of contacts
+  }
+  for (const PairSweep* sweep : t.terms.sweeps) {
     if (sweep->pack)
-      inner ? sweep->pack(x, p, 0, p.owned, t.records) : sweep->pack(x, p, p.owned, p.size(), t.records);
-    (t.kernels->*sweep->sum)(sweep->onto == PairTarget::PositionForce   ? positionForces
-                             : sweep->onto == PairTarget::ExplicitForce ? particleForces
-                                                                        : s,
-                             range);
+      inner ? sweep->pack(x, p, 0, p.owned, t.sums.records)
+            : sweep->pack(x, p, p.owned, p.size(), t.sums.records);
+    (t.sums.kernels->*sweep->sum)(sweep->onto == PairTarget::PositionForce   ? positionForces
+                                  : sweep->onto == PairTarget::ExplicitForce ? particleForces
+                                                                             : s,
+                                  range);
   }
   if (w.modules.surfaceHeat) findExposedAreas(s, w.scene.numerics, p.exposedArea.data(), range);
   if (w.modules.contact) {
-    if (pass == NeighbourPass::InnerForces) t.closePairs.list.clear();
-    t.kernels->closePairs(s, range, t.closePairs);
+    if (pass == NeighbourPass::InnerForces) t.contact.closePairs.list.clear();
+    t.sums.kernels->closePairs(s, range, t.contact.closePairs);
   }
   if (pass == NeighbourPass::BoundaryForces && p.drag.active)
     for (std::size_t i = 0; i < p.owned; i++) p.force[i] += p.drag[i];
@@ -266,7 +261,8 @@ void recordEntry(World& w, const PairSums& sums, PairForceWork& work, const Adde
   std::vector<Vec3d> force(p.owned);
   std::vector<double> dissipation(p.owned);
   others.force = force.data(), others.dissipation = dissipation.data();
-  work.force->kernels.sum(others, {work.records.data(), constantsOf(w, work), work.energy.data()},
+  work.force->kernels.sum(others,
+                          {work.records.data(), constantsOf(w.scene, w.grid, work), work.energy.data()},
                           {0, w.neighbours.groups});
   for (std::size_t i = 0; i < p.owned; i++) w.ledger.entered.potential.add(-work.energy[i]);
 }
@@ -275,17 +271,19 @@ void recordEntry(World& w, const PairSums& sums, PairForceWork& work, const Adde
 
 void sumPairForces(World& w, StepTools& t) {
   Continuum& p = w.particles;
-  PairSums sums = pairSumsOf(w, t);
+  PairSums sums = pairSumsOf(w, t.sums);
   if (p.positionForce.active) sums.force = p.positionForce.data();
   const AddedColumn* newborn = newbornOf(p);
-  for (PairForceWork& work : t.pairForces) {
-    resizePairForce(sums.precision, p.owned + t.ghostRoom, work);
+  for (PairForceWork& work : t.terms.pairForces) {
+    resizePairForce(sums.precision, p.owned + t.sums.ghostRoom, work);
     packPairForce(w.scene, p, 0, p.size(), work);
     work.energy.assign(p.owned, 0);
-    work.force->kernels.sum(sums, {work.records.data(), constantsOf(w, work), work.energy.data()},
+    work.force->kernels.sum(sums,
+                            {work.records.data(), constantsOf(w.scene, w.grid, work), work.energy.data()},
                             {0, w.neighbours.groups});
     for (std::size_t i = 0; i < p.owned; i++) p.interaction[i] += work.energy[i];
-    for (std::size_t i = 0; w.modules.melting && i < p.owned; i++) t.phaseEnergy.inPairs[i] += work.energy[i];
+    for (std::size_t i = 0; w.modules.melting && i < p.owned; i++)
+      t.phaseChange.energy.inPairs[i] += work.energy[i];
     if (newborn) recordEntry(w, sums, work, *newborn);
   }
   t.times.lap(StepPhase::Forces);
@@ -295,60 +293,60 @@ void addPositionForces(Continuum& p) {
   for (std::size_t i = 0; i < p.owned; i++) p.force[i] += p.positionForce[i];
 }
 
-PairConstants constantsOf(const World& w, const PairForceWork& work) {
-  return {work.values.data(), w.grid.support, w.scene.spacing};
+PairConstants constantsOf(const Scene& scene, const CellGrid& grid, const PairForceWork& work) {
+  return {work.values.data(), grid.support, scene.spacing};
 }
 
-bool viscosityCorrectionDue(const World& w) {
+bool viscosityCorrectionDue(const Modules& modules, const Clock& clock) {
   constexpr std::int64_t everySteps = 8;  // explicit steps are much shorter than the flow takes for a spacing
-  return w.modules.viscosityCorrection && (w.modules.implicitViscosity || w.clock.step % everySteps == 0);
+  return modules.viscosityCorrection && (modules.implicitViscosity || clock.step % everySteps == 0);
 }
 
 namespace {
 
-/// Finds the shares of no-slip walls by owned row.
-void findWallShares(const World& w, const StepTools& t, std::vector<WallShare>& shares) {
-  shares.assign(w.particles.owned, {});
-  for (const WallContact& c : t.wallContacts.list) {
-    if (w.walls.list[c.wall].properties.slip) continue;
-    const WallIntegrals at = t.wallTables(c.distance / w.grid.support);
-    shares[c.row].density += static_cast<float>(at.space * c.share);
-    shares[c.row].shear += static_cast<float>(at.shear * c.share);
+/// Finds WallWork::shares, which no-slip walls have, of all owned rows. support: m.
+void findWallShares(const Walls& walls, double support, std::size_t owned, WallWork& work) {
+  work.shares.assign(owned, {});
+  for (const WallContact& c : work.contacts.list) {
+    if (walls.list[c.wall].properties.slip) continue;
+    const WallIntegrals at = work.tables(c.distance / support);
+    work.shares[c.row].density += static_cast<float>(at.space * c.share);
+    work.shares[c.row].shear += static_cast<float>(at.shear * c.share);
   }
 }
 
 }  // namespace
 
-void correctViscosity(World& w, StepTools& t) {
-  PairSums s = pairSumsOf(w, t);
-  if (!t.wallContacts.list.empty()) {
-    findWallShares(w, t, t.wallShares);
-    s.viscosityWalls = t.wallShares.data();
+void correctViscosity(World& w, const PairSumWork& work, WallWork& walls) {
+  PairSums s = pairSumsOf(w, work);
+  if (!walls.contacts.list.empty()) {
+    findWallShares(w.walls, w.grid.support, w.particles.owned, walls);
+    s.viscosityWalls = walls.shares.data();
   }
   s.viscosityCorrection = w.particles.viscosityCorrection.data();
   s.largestViscosityFactor = w.modules.implicitViscosity ? 2 : 1.25;
-  t.kernels->viscosityCorrection(s, {0, w.neighbours.groups});
+  work.kernels->viscosityCorrection(s, {0, w.neighbours.groups});
 }
 
 namespace {
 
-std::optional<PieceJoint> jointOf(World& w, Halos& halos, StepTools& t) {
+std::optional<PieceJoint> jointOf(World& w, Halos& halos, RigidWork& rigid) {
   std::optional<PieceJoint> joint;
-  if (w.modules.rigid) joint.emplace(rigidView(w, t), halos.all);
+  if (w.modules.rigid) joint.emplace(rigidView(w, rigid), halos.all);
   return joint;
 }
 
 }  // namespace
 
 void solveViscosity(World& w, Halos halos, StepTools& t, const WallContext& walls) {
-  std::optional<PieceJoint> joint = jointOf(w, halos, t);
-  addImplicitViscosity(
-      {w.neighbours, *t.kernels, t.ghostRoom, t.wallContacts, t.viscous, t.times, joint ? &*joint : nullptr},
-      halos, pairSumsOf(w, t), walls);
+  std::optional<PieceJoint> joint = jointOf(w, halos, t.rigid);
+  addImplicitViscosity({w.neighbours, *t.sums.kernels, t.sums.ghostRoom, t.walls.contacts, t.viscous, t.times,
+                        joint ? &*joint : nullptr},
+                       halos, pairSumsOf(w, t.sums), walls);
 }
 
 void solvePressure(World& w, Halos halos, StepTools& t, double dt) {
-  std::optional<PieceJoint> joint = jointOf(w, halos, t);
+  std::optional<PieceJoint> joint = jointOf(w, halos, t.rigid);
   findPressure({w.scene,
                 w.modules,
                 w.grid,
@@ -360,13 +358,13 @@ void solvePressure(World& w, Halos halos, StepTools& t, double dt) {
                 w.counters,
                 w.lastIterations,
                 halos,
-                pairSumsOf(w, t),
-                *t.kernels,
+                pairSumsOf(w, t.sums),
+                *t.sums.kernels,
                 t.liquids,
-                t.records,
-                t.wallTables,
-                t.inverseLatticeSum,
-                t.wallContacts,
+                t.sums.records,
+                t.walls.tables,
+                t.sums.scales.inverseLatticeSum,
+                t.walls.contacts,
                 t.pressure,
                 t.times,
                 joint ? &*joint : nullptr},
@@ -382,8 +380,8 @@ Modules packingModules(Modules m) {
   return m;
 }
 
-PairSums packingSums(World& w, StepTools& t) {
-  PairSums s = pairSumsOf(w, t);
+PairSums packingSums(World& w, const PairSumWork& work) {
+  PairSums s = pairSumsOf(w, work);
   s.heat = s.uniform = s.carried = s.relief = false;
   s.pressureForm = PairForm::Consistent;
   s.concentrationGradient = nullptr;
@@ -392,49 +390,52 @@ PairSums packingSums(World& w, StepTools& t) {
 
 }  // namespace
 
-void sumUnitPressure(World& w, StepTools& t) {
+void sumUnitPressure(World& w, const std::vector<LiquidMaterial>& liquids, PairSumWork& work) {
   Continuum& p = w.particles;
   const Modules modules = packingModules(w.modules);
-  const RecordContext x{w.scene, modules, w.grid, t.liquids};
-  resizeRecords(x, p.size(), t.records);
-  packRecords(x, p, 0, p.size(), t.records);
-  setUnitPressure(x, p.size(), t.records);
+  const RecordContext x{w.scene, modules, w.grid, liquids};
+  resizeRecords(x, p.size(), work.records);
+  packRecords(x, p, 0, p.size(), work.records);
+  setUnitPressure(x, p.size(), work.records);
   clearLists(w.neighbours, static_cast<std::uint32_t>(p.owned), static_cast<std::uint32_t>(p.size()));
-  std::fill(t.inner.begin(), t.inner.end(), std::uint8_t{1});
+  std::fill(work.inner.begin(), work.inner.end(), std::uint8_t{1});
   SearchInput in;
-  in.x = t.records.coarse[0].data(), in.y = t.records.coarse[1].data(), in.z = t.records.coarse[2].data();
+  in.x = work.records.coarse[0].data(), in.y = work.records.coarse[1].data(),
+  in.z = work.records.coarse[2].data();
   in.cells = &w.cells;
-  in.inner = t.inner.data();
+  in.inner = work.inner.data();
   in.owned = static_cast<std::uint32_t>(p.owned);
-  t.kernels->search(in, Part::Inner, t.search, w.neighbours);
-  PairSums s = packingSums(w, t);
+  work.kernels->search(in, Part::Inner, work.search, w.neighbours);
+  PairSums s = packingSums(w, work);
   s.relativeDensityScale = 1 / (w.grid.support * w.grid.support * w.grid.support);
-  t.kernels->forces(s, {0, w.neighbours.groups});
+  work.kernels->forces(s, {0, w.neighbours.groups});
 }
 
-void sumExcessPressure(World& w, CellHalo& halo, StepTools& t) {
+void sumExcessPressure(World& w, CellHalo& halo, const std::vector<LiquidMaterial>& liquids,
+                       PairSumWork& work) {
   Continuum& p = w.particles;
   const GroupRange all{0, w.neighbours.groups};
-  const PairSums s = packingSums(w, t);
-  t.kernels->density(s, all);
+  const PairSums s = packingSums(w, work);
+  work.kernels->density(s, all);
   refresh(halo, p, ColumnList{&p.relativeDensity}).wait();
   const Modules modules = packingModules(w.modules);
-  setExcessPressure({w.scene, modules, w.grid, t.liquids}, p, t.records);
+  setExcessPressure({w.scene, modules, w.grid, liquids}, p, work.records);
   std::fill_n(p.force.data(), p.owned, Vec3d{});
-  t.kernels->forces(s, all);
+  work.kernels->forces(s, all);
 }
 
-void markInner(const World& w, const CellHalo& halo, StepTools& t) {
-  t.inner.resize(w.cells.key.size());
-  for (std::size_t c = 0; c < t.inner.size(); c++)
-    t.inner[c] = w.cells.first[c] < w.particles.owned && halo.inner(w.cells.key[c]);
+void markInner(const CellTable& cells, std::size_t owned, const CellHalo& halo,
+               std::vector<std::uint8_t>& inner) {
+  inner.resize(cells.key.size());
+  for (std::size_t c = 0; c < inner.size(); c++)
+    inner[c] = cells.first[c] < owned && halo.inner(cells.key[c]);
 }
 
-void separateCoincident(World& w, const StepTools& t, std::int64_t before) {
+void separateCoincident(World& w, const PairRecords& records, std::int64_t before) {
   if (w.counters.coincidentPairs == before) return;
   Continuum& p = w.particles;
   const NeighbourLists& lists = w.neighbours;
-  const std::uint32_t* positionVolume = reinterpret_cast<const std::uint32_t*>(t.records.fixed.data());
+  const std::uint32_t* positionVolume = reinterpret_cast<const std::uint32_t*>(records.fixed.data());
   for (std::size_t g = 0; g < lists.groups; g++)
     for (std::size_t l = 0; l < 8; l++) {
       const std::uint32_t i = lists.self[8 * g + l];

@@ -9,32 +9,34 @@
 namespace thaw {
 
 /// Returns the ghost columns that neighbour sums read, for the active modules.
-ColumnList ghostColumns(World& world);
+ColumnList ghostColumns(const Modules& modules, Continuum& particles);
 
 /// Returns input and output of the neighbour sums for this world.
-PairSums pairSumsOf(World& world, StepTools& tools);
+PairSums pairSumsOf(World& world, const PairSumWork& work);
 
 /// Clears all accumulated rates. pairsSet: except those that the pair sums of one liquid (Modules::uniform)
 /// assign, which come first.
 void clearRates(Continuum& particles, bool pairsSet = false);
 
-/// Sets StepTools::inner of the present cells: 1 if sums need no ghosts.
-void markInner(const World& world, const CellHalo& halo, StepTools& tools);
+/// Sets PairSumWork::inner of the present cells: 1 if sums need no ghosts. owned: number of owned rows.
+void markInner(const CellTable& cells, std::size_t owned, const CellHalo& halo,
+               std::vector<std::uint8_t>& inner);
 
 /// Gives coincident particles a tiny opposite impulse, with a direction derived from the id
 /// (docs/validation/stability.md, row 9). before: Counters::coincidentPairs before the sums. Called at the
 /// end of an evaluation; takes effect in the next step.
-void separateCoincident(World& world, const StepTools& tools, std::int64_t before);
+void separateCoincident(World& world, const PairRecords& records, std::int64_t before);
 
 /// Searches, and adds to Continuum::force the force of a uniform pressure of 1 Pa, -2 V_i sum V_j grad W (N).
 /// Requires: ghosts.
-void sumUnitPressure(World& world, StepTools& tools);
+void sumUnitPressure(World& world, const std::vector<LiquidMaterial>& liquids, PairSumWork& work);
 
 /// After sumUnitPressure, at the same positions: computes the relative density (without walls), and a force
 /// in Continuum::force. Its pressure is 1 Pa times the excess of liquids' relative density above 1. It is
 /// -V_i times the gradient (1/m), with respect to the position of i, of half the sum of squared excesses.
 /// Collective.
-void sumExcessPressure(World& world, CellHalo& halo, StepTools& tools);
+void sumExcessPressure(World& world, CellHalo& halo, const std::vector<LiquidMaterial>& liquids,
+                       PairSumWork& work);
 
 /// Inner passes cover particles whose neighbours are all owned, boundary passes the others. Density passes
 /// search first.
@@ -46,13 +48,13 @@ void sumOverNeighbours(World& world, StepTools& tools, NeighbourPass pass, doubl
 void sumPairForces(World& world, StepTools& tools);
 /// Adds Continuum::positionForce to the force. Call it once, after its sums.
 void addPositionForces(Continuum& particles);
-/// Returns the constants of a pair force in this world.
-PairConstants constantsOf(const World& world, const PairForceWork& work);
+/// Returns the constants of a pair force in this scene.
+PairConstants constantsOf(const Scene& scene, const CellGrid& grid, const PairForceWork& work);
 
 /// Returns true in steps that renew Continuum::viscosityCorrection.
-bool viscosityCorrectionDue(const World& world);
+bool viscosityCorrectionDue(const Modules& modules, const Clock& clock);
 /// Renews Continuum::viscosityCorrection for the next step. Requires: the records of this step.
-void correctViscosity(World& world, StepTools& tools);
+void correctViscosity(World& world, const PairSumWork& sums, WallWork& walls);
 
 /// Computes viscous forces of the implicit solver (core/flow/implicit_viscosity/), after all others.
 void solveViscosity(World& world, Halos halos, StepTools& tools, const WallContext& walls);

@@ -8,7 +8,7 @@ namespace thaw {
 
 /// Keeps compression and tension in PhaseEnergyWork::ofPairs. Requires: called after the neighbour sums and
 /// before pair forces of extensions and contacts are added.
-void keepPairEnergy(const World& world, StepTools& tools);
+void keepPairEnergy(const Continuum& particles, PhaseEnergyWork& work);
 
 /// Computes Continuum::softening of compression and surface energy from Continuum::interaction, and keeps
 /// pairwise tension. Requires: called after the neighbour sums and before contacts are added. Summed
@@ -18,7 +18,7 @@ void beginSoftening(World& world, StepTools& tools);
 
 /// Returns whether the energies of pairwise tension and of pair forces of extensions change with the liquid
 /// fractions of this rank. The energy of a pair is proportional to both fractions.
-bool pairEnergyChanges(const World& world, const StepTools& tools);
+bool pairEnergyChanges(const World& world, const TermWork& terms, const PhaseEnergyWork& work);
 /// Records this change at the same positions in Ledger::phaseJump and Continuum::interaction, with a further
 /// sum over pairs. Requires: liquid fractions of ghosts, and the records of this step.
 void recordPairEnergyChange(World& world, StepTools& tools);

@@ -17,82 +17,85 @@
 namespace thaw {
 namespace {
 
-ElasticStep elasticStep(const StepTools& t, double dt) {
-  return {dt, t.elastic.energyInSteps, t.elastic.deformationInSteps};
+ElasticStep elasticStep(const ElasticWork& elastic, double dt) {
+  return {dt, elastic.energyInSteps, elastic.deformationInSteps};
 }
 
 /// Chooses the slots whose energy may change, if bonds or slots changed on this rank.
-void chooseActive(World& w, Halos& halos, StepTools& t) {
+void chooseActive(const Continuum& p, Solids& solids, const Bonds& bonds, BondHalo& halo,
+                  ElasticWork& elastic) {
   SlotPieces pieces;
-  pieces.resize(w.solids.owned, w.solids.ghosts);
-  for (std::size_t s = 0; s < w.solids.owned; s++) pieces.piece[s] = w.particles.piece[w.solids.particle[s]];
-  refresh(halos.bonds, w.solids, ColumnList{&pieces.piece}).wait();
-  if (!activeSlotsKnown(t.elastic, w.solids)) chooseActiveSlots(t.elastic, w.solids, w.bonds, pieces);
+  pieces.resize(solids.owned, solids.ghosts);
+  for (std::size_t s = 0; s < solids.owned; s++) pieces.piece[s] = p.piece[solids.particle[s]];
+  refresh(halo, solids, ColumnList{&pieces.piece}).wait();
+  if (!activeSlotsKnown(elastic, solids)) chooseActiveSlots(elastic, solids, bonds, pieces);
 }
 
 void deformAll(World& w, Halos& halos, StepTools& t, const ElasticStep& step, Exchange ends) {
-  if (w.modules.sleep) chooseAwakeGroups(w.particles, w.solids, t.elastic, t.sleep);
+  if (w.modules.sleep) chooseAwakeGroups(w.particles, w.solids, t.solid.elastic, t.sleep);
   if (w.modules.rigidify) {
     ends.wait();  // a halo has one refresh in flight
-    chooseActive(w, halos, t);
+    chooseActive(w.particles, w.solids, w.bonds, halos.bonds, t.solid.elastic);
   }
-  ElasticResult r = computeDeformationAndStress(t.elastic, w.solids, w.bonds, step, SolidPart::Inner);
+  ElasticResult r = computeDeformationAndStress(t.solid.elastic, w.solids, w.bonds, step, SolidPart::Inner);
   t.times.lap(StepPhase::Elastic);
   ends.wait();
   t.times.lap(StepPhase::Bonds);
-  r += computeDeformationAndStress(t.elastic, w.solids, w.bonds, step, SolidPart::Boundary);
+  r += computeDeformationAndStress(t.solid.elastic, w.solids, w.bonds, step, SolidPart::Boundary);
   w.counters.inverted += r.inverted;
   w.counters.squeezed += r.squeezed;
-  t.maxStretch2 = r.maxStretch2;
+  t.solid.maxStretch2 = r.maxStretch2;
   // Includes sleeping groups; empty without sleep.
-  for (const double stretch2 : t.elastic.groupStretch2) t.maxStretch2 = std::max(t.maxStretch2, stretch2);
+  for (const double stretch2 : t.solid.elastic.groupStretch2)
+    t.solid.maxStretch2 = std::max(t.solid.maxStretch2, stretch2);
 }
 
-BondForming bondForming(const World& w, const StepTools& t) {
+BondForming bondForming(const Scene& scene, const Modules& modules, const SolidWork& work) {
   BondForming forming;
-  forming.rule = t.bondsAtStart      ? BondRule::Start
-                 : w.modules.welding ? BondRule::Welding
-                                     : BondRule::Freezing;
-  forming.support = t.elastic.support;
-  forming.touch = contactDistance * w.scene.spacing;  // distance of contact repulsion
-  forming.touchBodies = weldDistance * w.scene.spacing;
-  forming.selfWeld = w.scene.numerics.selfContact;
-  forming.periods = t.elastic.periods;
-  forming.materials = &w.scene.materials;
+  forming.rule = work.bondsAtStart ? BondRule::Start
+                 : modules.welding ? BondRule::Welding
+                                   : BondRule::Freezing;
+  forming.support = work.elastic.support;
+  forming.touch = contactDistance * scene.spacing;  // distance of contact repulsion
+  forming.touchBodies = weldDistance * scene.spacing;
+  forming.selfWeld = scene.numerics.selfContact;
+  forming.periods = work.elastic.periods;
+  forming.materials = &scene.materials;
   return forming;
 }
 
 /// Updates data after a bond update that changed something on any rank.
-void updateBondData(World& w, Halos& halos, StepTools& t) {
-  fillNewSlots(w.particles, w.solids, t.elastic, t.bondsAtStart);
-  if (w.modules.sleep) forgetChangedSlots(w.solids, t.sleep);
-  forgetActiveSlots(t.elastic);
-  refresh(halos.bonds, w.solids, remoteColumnsAfterRebuild(w.solids)).wait();
-  w.counters.singularNeighbourhoods = refreshReference(t.elastic, w.solids, w.bonds, false);
+void updateBondData(World& w, BondHalo& halo, SolidWork& work, SleepWork& sleep) {
+  fillNewSlots(w.particles, w.solids, work.elastic, work.bondsAtStart);
+  if (w.modules.sleep) forgetChangedSlots(w.solids, sleep);
+  forgetActiveSlots(work.elastic);
+  refresh(halo, w.solids, remoteColumnsAfterRebuild(w.solids)).wait();
+  w.counters.singularNeighbourhoods = refreshReference(work.elastic, w.solids, w.bonds, false);
 }
 
 /// Returns true if bonds form in this step on any rank. Welding is checked at the current positions, so a
-/// restart needs no extra state.
-bool bondsForm(World& w, Halos& halos, StepTools& t) {
-  if (t.bondsAtStart || t.frozeAnywhere) return t.bondsAtStart || w.modules.freezing;
+/// restart needs no extra state. froze: some particle just froze on some rank.
+bool bondsForm(World& w, Reducer& all, const SolidWork& work, bool froze) {
+  if (work.bondsAtStart || froze) return work.bondsAtStart || w.modules.freezing;
   if (!w.modules.welding) return false;
-  double touch = touchesToWeld(w.particles, w.solids, w.bonds, w.neighbours, bondForming(w, t));
-  halos.all.maximum({&touch, 1});
+  double touch = touchesToWeld(w.particles, w.solids, w.bonds, w.neighbours,
+                               bondForming(w.scene, w.modules, work));
+  all.maximum({&touch, 1});
   return touch > 0;
 }
 
 /// Records the energy of the particles that requested bonds, times `sign`: 1 before they have the bonds, -1
 /// after, at the same positions.
-void recordEnergyJump(World& w, StepTools& t, double sign) {
+void recordEnergyJump(World& w, SolidWork& work, double sign) {
   if (sign > 0) {
-    t.rebonded.clear();
-    for (const BondRequest& q : t.requests) {
+    work.rebonded.clear();
+    for (const BondRequest& q : work.requests) {
       const std::uint32_t row = w.solids.particle[q.slot];  // requests of a particle are contiguous
-      if (t.rebonded.empty() || t.rebonded.back() != row) t.rebonded.push_back(row);
+      if (work.rebonded.empty() || work.rebonded.back() != row) work.rebonded.push_back(row);
     }
   }
-  for (const std::uint32_t row : t.rebonded)
-    w.ledger.phaseJump.add(sign * slotEnergy(t.elastic, w.solids, w.bonds, w.particles.slot[row]));
+  for (const std::uint32_t row : work.rebonded)
+    w.ledger.phaseJump.add(sign * slotEnergy(work.elastic, w.solids, w.bonds, w.particles.slot[row]));
 }
 
 /// Number of solid ghosts, an upper bound of remote rows at the start.
@@ -113,9 +116,9 @@ std::size_t partsOfStart(const NeighbourLists& lists, Reducer& all) {
 }
 
 /// Makes all initial bonds in parts: all requests at once would take many times the memory of the bonds.
-void bondScene(World& w, Halos& halos, StepTools& t) {
+void bondScene(World& w, Halos& halos, SolidWork& work, SleepWork& sleep) {
   takeReferences(w.particles, w.solids);
-  const BondForming forming = bondForming(w, t);
+  const BondForming forming = bondForming(w.scene, w.modules, work);
   std::vector<BondRequest> requests;
   std::vector<BondPair> pairs;
   int mostNeighbours = 0;
@@ -144,24 +147,25 @@ void bondScene(World& w, Halos& halos, StepTools& t) {
     halos.bonds.rebuildBonds(bondedRows(w.particles), w.solids, w.bonds,
                              {requests, false, pairs, mostNeighbours, remotes});
   }
-  if (fieldsDeferred(w.bonds, t))
-    for (AnyColumn* c : columnsOfSteps(w.solids, t.elastic)) w.solids.activate(*c);
-  updateBondData(w, halos, t);
-  t.bondsAtStart = false;
+  if (fieldsDeferred(w.bonds, work))
+    for (AnyColumn* c : columnsOfSteps(w.solids, work.elastic)) w.solids.activate(*c);
+  updateBondData(w, halos.bonds, work, sleep);
+  work.bondsAtStart = false;
 }
 
 /// Makes the bonds of the start or after freezing. Existing stress does not change: F of older ends is taken
 /// into account.
 void makeBonds(World& w, Halos& halos, StepTools& t) {
   Continuum& p = w.particles;
-  if (w.modules.rigidify) deformPassive(t.elastic, w.solids, w.bonds);
+  if (w.modules.rigidify) deformPassive(t.solid.elastic, w.solids, w.bonds);
   prepareBondForming(p, w.solids);
   refresh(halos.cells, p, bondFormingColumns(p)).wait();
-  if (t.bondsAtStart) return bondScene(w, halos, t);
-  t.requests.clear();
-  w.counters.welds += formBonds(p, w.solids, w.bonds, w.neighbours, bondForming(w, t), t.requests);
-  recordEnergyJump(w, t, 1);
-  rebuildSolidBonds(w, halos, t, {t.requests, true});
+  if (t.solid.bondsAtStart) return bondScene(w, halos, t.solid, t.sleep);
+  t.solid.requests.clear();
+  w.counters.welds += formBonds(p, w.solids, w.bonds, w.neighbours, bondForming(w.scene, w.modules, t.solid),
+                                t.solid.requests);
+  recordEnergyJump(w, t.solid, 1);
+  rebuildSolidBonds(w, halos, t, {t.solid.requests, true});
 }
 
 }  // namespace
@@ -170,83 +174,85 @@ void rebuildSolidBonds(World& w, Halos halos, StepTools& t, const BondUpdate& wo
   t.times.lap(StepPhase::Sort);
   linkSlots(bondedRows(w.particles), w.solids);
   if (halos.bonds.rebuildBonds(bondedRows(w.particles), w.solids, w.bonds, work) &&
-      !fieldsDeferred(w.bonds, t))
-    updateBondData(w, halos, t);
+      !fieldsDeferred(w.bonds, t.solid))
+    updateBondData(w, halos.bonds, t.solid, t.sleep);
   t.times.lap(StepPhase::Bonds);
 }
 
-void findElasticEnergy(World& w, const StepTools& t) {
-  if (w.solids.energyKnown) return;
-  const bool still = atReference(w.solids);
-  for (std::size_t s = 0; s < w.solids.owned; s++) {
-    const auto [gradU, energy] = still ? slotStrainAtReference(t.elastic, w.solids, w.bonds, s)
-                                       : slotStrain(t.elastic, w.solids, w.bonds, s);
-    w.solids.energy[s] = energy;
-    if (!t.elastic.deformationInSteps) w.solids.deformation[s] = identity3<double>() + gradU;
+void findElasticEnergy(Solids& solids, const Bonds& bonds, const ElasticWork& elastic) {
+  if (solids.energyKnown) return;
+  const bool still = atReference(solids);
+  for (std::size_t s = 0; s < solids.owned; s++) {
+    const auto [gradU, energy] = still ? slotStrainAtReference(elastic, solids, bonds, s)
+                                       : slotStrain(elastic, solids, bonds, s);
+    solids.energy[s] = energy;
+    if (!elastic.deformationInSteps) solids.deformation[s] = identity3<double>() + gradU;
   }
-  w.solids.energyKnown = true;
+  solids.energyKnown = true;
 }
 
-void findElasticEnergy(World& w, const StepTools& t, std::span<const std::uint32_t> rows) {
-  if (w.solids.energyKnown) return;
+void findElasticEnergy(const Continuum& p, Solids& solids, const Bonds& bonds, const ElasticWork& elastic,
+                       std::span<const std::uint32_t> rows) {
+  if (solids.energyKnown) return;
   for (const std::uint32_t i : rows)
-    if (const std::uint32_t slot = w.particles.slot[i]; slot != noSlot)
-      w.solids.energy[slot] = slotEnergy(t.elastic, w.solids, w.bonds, slot);
+    if (const std::uint32_t slot = p.slot[i]; slot != noSlot)
+      solids.energy[slot] = slotEnergy(elastic, solids, bonds, slot);
 }
 
-void melt(World& w, Halos halos, StepTools& t) {
+void melt(World& w, BondHalo& halo, ElasticWork& elastic, PhaseTimes& times) {
   if (!w.solids.melted.active) return;
   markMelted(w.particles, w.solids);
-  refresh(halos.bonds, w.solids, ColumnList{&w.solids.melted}).wait();
-  dropMeltedBonds(t.elastic, w.particles, w.solids, w.bonds, w.ledger.phaseJump);
-  t.times.lap(StepPhase::Bonds);
+  refresh(halo, w.solids, ColumnList{&w.solids.melted}).wait();
+  dropMeltedBonds(elastic, w.particles, w.solids, w.bonds, w.ledger.phaseJump);
+  times.lap(StepPhase::Bonds);
 }
 
-Exchange sendPositions(World& w, Halos halos, const StepTools& t) {
-  if (fieldsDeferred(w.bonds, t)) return {};
-  copyToSolids(w.particles, w.solids);
-  return refresh(halos.bonds, w.solids, remoteColumnsBeforeDeformation(w.solids));
+Exchange sendPositions(const Continuum& p, Solids& solids, const Bonds& bonds, BondHalo& halo,
+                       const SolidWork& work) {
+  if (fieldsDeferred(bonds, work)) return {};
+  copyToSolids(p, solids);
+  return refresh(halo, solids, remoteColumnsBeforeDeformation(solids));
 }
 
 Exchange deform(World& w, Halos halos, StepTools& t, double dt, SolidExchanges sent) {
   dt /= w.clock.substeps;  // the last of them
-  ElasticStep now = elasticStep(t, dt);
-  if (!fieldsDeferred(w.bonds, t)) deformAll(w, halos, t, now, std::move(sent.positions));
-  if (bondsForm(w, halos, t)) {
-    const bool start = t.bondsAtStart;
+  ElasticStep now = elasticStep(t.solid.elastic, dt);
+  if (!fieldsDeferred(w.bonds, t.solid)) deformAll(w, halos, t, now, std::move(sent.positions));
+  if (bondsForm(w, halos.all, t.solid, t.phaseChange.frozeAnywhere)) {
+    const bool start = t.solid.bondsAtStart;
     sent.densities.wait();  // since a halo has one refresh in flight
     makeBonds(w, halos, t);
-    t.frozeAnywhere = false;
+    t.phaseChange.frozeAnywhere = false;
     now.dt = 0;  // plastic flow is done
-    deformAll(w, halos, t, now, sendPositions(w, halos, t));
-    if (!start) recordEnergyJump(w, t, -1);
+    deformAll(w, halos, t, now, sendPositions(w.particles, w.solids, w.bonds, halos.bonds, t.solid));
+    if (!start) recordEnergyJump(w, t.solid, -1);
     now.dt = dt;
   }
   if (w.modules.fracture)
-    w.counters.brokenBonds += breakBonds(t.elastic, w.solids, w.bonds, now, w.ledger.phaseJump);
+    w.counters.brokenBonds += breakBonds(t.solid.elastic, w.solids, w.bonds, now, w.ledger.phaseJump);
   if (w.modules.plastic)
-    w.counters.rereferenced += rereference(t.elastic, w.solids, w.bonds, now, w.ledger.phaseJump);
+    w.counters.rereferenced += rereference(t.solid.elastic, w.solids, w.bonds, now, w.ledger.phaseJump);
   t.times.lap(StepPhase::Elastic);
   Exchange stress = refresh(halos.bonds, w.solids, remoteColumnsBeforeForces(w.solids));
   t.times.lap(StepPhase::Bonds);
   return stress;
 }
 
-void addElasticForces(World& w, StepTools& t, double dt, Exchange stress) {
-  const ElasticStep now = elasticStep(t, dt / w.clock.substeps);
-  computeElasticForces(t.elastic, w.solids, w.bonds, now, SolidPart::Inner);
-  t.times.lap(StepPhase::Elastic);
+void addElasticForces(World& w, ElasticWork& elastic, PhaseTimes& times, double dt, Exchange stress) {
+  const ElasticStep now = elasticStep(elastic, dt / w.clock.substeps);
+  computeElasticForces(elastic, w.solids, w.bonds, now, SolidPart::Inner);
+  times.lap(StepPhase::Elastic);
   stress.wait();
-  t.times.lap(StepPhase::Bonds);
-  computeElasticForces(t.elastic, w.solids, w.bonds, now, SolidPart::Boundary);
+  times.lap(StepPhase::Bonds);
+  computeElasticForces(elastic, w.solids, w.bonds, now, SolidPart::Boundary);
   w.solids.energyKnown = now.energy;
-  addSolidForces(t.elastic, w.solids, w.particles, dt);
+  addSolidForces(elastic, w.solids, w.particles, dt);
   if (w.particles.fastAcceleration.active)
     for (std::size_t s = 0; s < w.solids.owned; s++) {
       const std::uint32_t i = w.solids.particle[s];
       w.particles.fastAcceleration[i] = w.solids.force[s] / w.particles.mass[i];
     }
-  t.times.lap(StepPhase::Elastic);
+  times.lap(StepPhase::Elastic);
 }
 
 }  // namespace thaw

@@ -13,17 +13,18 @@ namespace thaw {
 void rebuildSolidBonds(World& world, Halos halos, StepTools& tools, const BondUpdate& work);
 
 /// Drops the bonds of particles that melted in this step and records their elastic energy. Collective.
-void melt(World& world, Halos halos, StepTools& tools);
+void melt(World& world, BondHalo& halo, ElasticWork& elastic, PhaseTimes& times);
 
 /// Returns true at the start of a scene whose bonds have no vectors. Until the bonds exist, the fields of
 /// columnsOfSteps are unused. Their memory is better allocated once the lists of the start are freed and
 /// remote rows are known. Forming bonds with vectors reads F of their ends.
-inline bool fieldsDeferred(const Bonds& bonds, const StepTools& tools) {
-  return tools.bondsAtStart && !bonds.vectors;
+inline bool fieldsDeferred(const Bonds& bonds, const SolidWork& work) {
+  return work.bondsAtStart && !bonds.vectors;
 }
 
 /// Copies positions (velocities, liquid fractions) to the slots and sends them along the bonds. Collective.
-Exchange sendPositions(World& world, Halos halos, const StepTools& tools);
+Exchange sendPositions(const Continuum& particles, Solids& solids, const Bonds& bonds, BondHalo& halo,
+                       const SolidWork& work);
 
 /// Exchanges in flight when solids deform.
 struct SolidExchanges {
@@ -37,12 +38,13 @@ struct SolidExchanges {
 Exchange deform(World& world, Halos halos, StepTools& tools, double dt, SolidExchanges sent);
 
 /// Adds elastic forces to the particles; waits for the stress of other ranks.
-void addElasticForces(World& world, StepTools& tools, double dt, Exchange stress);
+void addElasticForces(World& world, ElasticWork& elastic, PhaseTimes& times, double dt, Exchange stress);
 
 /// Computes Solids::energy and Solids::deformation of all owned slots for the last evaluation, if steps do
 /// not (core/simulation/sums/stored_energy.hpp).
-void findElasticEnergy(World& world, const StepTools& tools);
+void findElasticEnergy(Solids& solids, const Bonds& bonds, const ElasticWork& elastic);
 /// As above for the particles in these rows, which are about to leave.
-void findElasticEnergy(World& world, const StepTools& tools, std::span<const std::uint32_t> rows);
+void findElasticEnergy(const Continuum& particles, Solids& solids, const Bonds& bonds,
+                       const ElasticWork& elastic, std::span<const std::uint32_t> rows);
 
 }  // namespace thaw

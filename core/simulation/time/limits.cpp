@@ -220,13 +220,11 @@ double soundStiffening(const Scene& scene, const Modules& modules, const Continu
   return soundSpeedFactor(scene.numerics.eos, static_cast<double>(most));
 }
 
-double fastAccelerationLimit(const World& w) {
-  const Continuum& p = w.particles;
+double fastAccelerationLimit(const Scene& scene, const CellGrid& grid, const Continuum& p) {
   double hardest = 0;
   for (std::size_t i = 0; i < p.owned; i++)
     hardest = std::max(hardest, dot(p.acceleration[i], p.acceleration[i]));
-  return hardest > 0 ? w.scene.numerics.cflAcceleration * std::sqrt(w.grid.support / std::sqrt(hardest))
-                     : never;
+  return hardest > 0 ? scene.numerics.cflAcceleration * std::sqrt(grid.support / std::sqrt(hardest)) : never;
 }
 
 }  // namespace thaw

@@ -39,6 +39,6 @@ double soundStiffening(const Scene& scene, const Modules& modules, const Continu
 
 /// Returns the acceleration limit (s) of a substep by the forces that act in substeps, for this rank's
 /// particles. particleLimits excludes these forces.
-double fastAccelerationLimit(const World& world);
+double fastAccelerationLimit(const Scene& scene, const CellGrid& grid, const Continuum& particles);
 
 }  // namespace thaw

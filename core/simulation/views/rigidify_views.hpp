@@ -7,7 +7,8 @@
 namespace thaw {
 
 inline RigidifyView rigidifyView(World& w, StepTools& t) {
-  return {rigidView(w, t), w.solids, w.bonds, t.elastic, t.wallContacts, t.closePairs, w.clock};
+  return {rigidView(w, t.rigid), w.solids, w.bonds, t.solid.elastic, t.walls.contacts,
+          t.contact.closePairs,  w.clock};
 }
 
 }  // namespace thaw

@@ -17,30 +17,36 @@ namespace thaw {
 
 /// dt (s): last step, 0 at the start.
 inline CarryContext carryContext(World& w, StepTools& t, double dt) {
-  return {w.scene,        w.modules,      w.grid,         w.particles, w.neighbours, w.walls,
-          w.startDensity, w.clock,        w.counters,     t.liquids,   t.wallTables, t.inverseLatticeSum,
-          t.carry,        t.wallContacts, t.sleep.steady, dt};
+  return {w.scene,      w.modules,        w.grid,         w.particles,
+          w.neighbours, w.walls,          w.startDensity, w.clock,
+          w.counters,   t.liquids,        t.walls.tables, t.sums.scales.inverseLatticeSum,
+          t.carry,      t.walls.contacts, t.sleep.steady, dt};
 }
 
 inline HeatView heatView(World& w) { return {w.scene, w.modules, w.particles, w.solids, w.clock, w.ledger}; }
 
-inline RecordContext recordContext(const World& w, const StepTools& t) {
-  return {w.scene, w.modules, w.grid, t.liquids, w.clock.substeps};
+inline RecordContext recordContext(const World& w, const std::vector<LiquidMaterial>& liquids) {
+  return {w.scene, w.modules, w.grid, liquids, w.clock.substeps};
 }
 
 inline EvaporationView evaporationView(World& w, StepTools& t) {
-  return {heatView(w),  recordContext(w, t), w.neighbours, t.wallContacts,
-          t.wallTables, t.inverseLatticeSum, t.selfExcess};
+  return {heatView(w),
+          recordContext(w, t.liquids),
+          w.neighbours,
+          t.walls.contacts,
+          t.walls.tables,
+          t.sums.scales.inverseLatticeSum,
+          t.sums.scales.selfExcess};
 }
 
 inline OrientedView orientedView(World& w, StepTools& t) {
-  return {w.oriented, t.oriented, w.particles, w.ledger, w.counters, t.sort, t.times,
-          w.scene,    w.modules,  w.grid,      w.cells,  w.walls,    w.clock};
+  return {w.oriented, t.oriented, w.particles, w.ledger, w.counters, t.redistribution.sort, t.times, w.scene,
+          w.modules,  w.grid,     w.cells,     w.walls,  w.clock};
 }
 
-inline RigidView rigidView(World& w, StepTools& t) {
-  return {w.scene,  w.grid,  w.particles, w.cells, w.pieces,  w.walls,
-          w.ledger, t.rigid, w.modules,   w.clock, w.counters};
+inline RigidView rigidView(World& w, RigidWork& rigid) {
+  return {w.scene,  w.grid, w.particles, w.cells, w.pieces,  w.walls,
+          w.ledger, rigid,  w.modules,   w.clock, w.counters};
 }
 
 inline SheetView sheetView(World& w) {
@@ -48,8 +54,8 @@ inline SheetView sheetView(World& w) {
 }
 
 inline SleepView sleepView(World& w, StepTools& t) {
-  return {w.scene, w.grid,  w.particles, w.cells,    w.neighbours, w.solids, w.bonds,
-          w.walls, w.clock, w.ledger,    w.counters, t.sleep,      t.inner,  t.wallContacts};
+  return {w.scene, w.grid,  w.particles, w.cells,    w.neighbours, w.solids,     w.bonds,
+          w.walls, w.clock, w.ledger,    w.counters, t.sleep,      t.sums.inner, t.walls.contacts};
 }
 
 inline SurfaceView surfaceView(World& w) {

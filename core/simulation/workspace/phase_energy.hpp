@@ -20,4 +20,12 @@ struct PhaseEnergyWork {
   std::vector<Vec3d> force;                 ///< N, temporary
 };
 
+/// Changes of phases since the start of a step, and their energies.
+struct PhaseChangeWork {
+  PhaseEnergyWork energy;
+  bool here = false;            ///< on this rank, since the last bond update
+  bool frozeAnywhere = false;   ///< some particle just froze on some rank
+  bool meltedAnywhere = false;  ///< some solid melted in this step on some rank
+};
+
 }  // namespace thaw

@@ -60,7 +60,7 @@ SettingTrials::Result SettingTrials::runWith(const std::vector<std::string>& set
     LedgerReport ledger;
     if (last && o.failure == Failure::None) {
       ledger = reportLedger(w, t, simulation.all);
-      o.failure = checkEnergyBudget(w, t.watch, ledger, simulation.all);
+      o.failure = checkEnergyBudget(w, t.limits.monitor, ledger, simulation.all);
     }
     if (o.failure != Failure::None) {
       r.failure = fmt::format("step {}: {}", w.clock.step, failedCheck(w, t, o));

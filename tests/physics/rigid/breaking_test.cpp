@@ -54,7 +54,7 @@ struct Solved {
 };
 
 void solve(Simulation& sim, const ImpactLoads& loads, Solved& s) {
-  const RigidView v = rigidView(sim.w, sim.tools);
+  const RigidView v = rigidView(sim.w, sim.tools.rigid);
   const std::uint32_t rows[] = {0};
   s.bonded = bondPieces(v, rows);
   solveBonds(v, sim.halos(), s.bonded, balancedLoads(v, s.bonded, loads), s.motion);

@@ -63,8 +63,8 @@ TEST(LiquidInAWedge, HasNeitherShiftingNorCorrectedGradientsAcrossWalls) {
     std::size_t between = 0;
     while (r.w.clock.time < r.w.clock.end) {
       ASSERT_TRUE(r.step());
-      for (const WallContact& c : r.tools.wallContacts.list) {
-        const std::span<const WallContact> all = contactsOf(r.tools.wallContacts, c.row);
+      for (const WallContact& c : r.tools.walls.contacts.list) {
+        const std::span<const WallContact> all = contactsOf(r.tools.walls.contacts, c.row);
         between += all.size() > 1;
         const auto noneNearer = [&](double than) {
           return std::ranges::none_of(all, [&](const WallContact& o) { return o.distance < than; });

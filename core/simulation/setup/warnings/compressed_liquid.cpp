@@ -6,7 +6,6 @@
 #include <cstdio>
 
 #include "core/materials/state_equation.hpp"
-#include "core/simulation/workspace/step_tools.hpp"
 #include "core/simulation/world/world.hpp"
 
 namespace thaw {
@@ -31,7 +30,8 @@ double excused(float summed) {
 
 }  // namespace
 
-std::vector<SceneWarning> compressedLiquids(const World& w, const StepTools& t, Reducer& all) {
+std::vector<SceneWarning> compressedLiquids(const World& w, const std::vector<LiquidMaterial>& liquids,
+                                            Reducer& all) {
   std::vector<SceneWarning> warnings;
   const std::size_t bodies = w.scene.bodies.size();
   const double speed = expectedSpeed(w.scene);
@@ -47,7 +47,7 @@ std::vector<SceneWarning> compressedLiquids(const World& w, const StepTools& t, 
     const double density = w.modules.continuity ? excused(w.startDensity[i])
                                                 : static_cast<double>(p.relativeDensity[i]);
     if (!(density > 1)) continue;
-    const double stiffness = t.liquids[p.material[i]].stiffness / w.scene.materials[p.material[i]].density;
+    const double stiffness = liquids[p.material[i]].stiffness / w.scene.materials[p.material[i]].density;
     const double energy = compressionEnergy(w.scene.numerics.eos, stiffness, density, 0) / (speed * speed);
     sums[2 * p.body[i] + 1] += std::llround(std::min(energy, 1e6) / unit);
     densest[p.body[i]] = std::max(densest[p.body[i]], density);

@@ -4,17 +4,17 @@
 #include <vector>
 
 #include "core/halo/halo.hpp"
+#include "core/materials/liquid_materials.hpp"
 #include "core/scene/scene_warning.hpp"
 #include "core/simulation/world/world.hpp"
 
 namespace thaw {
 
-struct StepTools;
-
 /// Returns a warning for each body of liquid that would burst at more than a tenth of the largest expected
 /// speed, by its compression energy at time 0. Its lattice, of whole spacings, is then wider than the space
 /// between walls and other bodies. Call it after the first evaluation. The same on any number of ranks.
 /// Collective.
-std::vector<SceneWarning> compressedLiquids(const World& world, const StepTools& tools, Reducer& all);
+std::vector<SceneWarning> compressedLiquids(const World& world, const std::vector<LiquidMaterial>& liquids,
+                                            Reducer& all);
 
 }  // namespace thaw

@@ -5,14 +5,16 @@
 
 #include "core/geometry/basic/signed_distance.hpp"
 #include "core/halo/halo.hpp"
+#include "core/particles/continuum.hpp"
+#include "core/scene/scene.hpp"
 #include "core/scene/scene_warning.hpp"
-#include "core/simulation/world/world.hpp"
 
 namespace thaw {
 
 /// Returns a warning for each heated region that does not move and holds no particle that it heats. Scenes
 /// with emitters have none, since emitted particles may reach the region. The same on any number of ranks.
 /// Requires: the particles of the start. Collective.
-std::vector<SceneWarning> emptyRegions(const World& world, const MeshLoader& load, Reducer& all);
+std::vector<SceneWarning> emptyRegions(const Scene& scene, const Continuum& particles, const MeshLoader& load,
+                                       Reducer& all);
 
 }  // namespace thaw

@@ -4,19 +4,18 @@
 #include <string>
 #include <vector>
 
+#include "core/scene/modules.hpp"
 #include "core/scene/scene_warning.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/simulation/time/step_limits.hpp"
 
 namespace thaw {
 
-struct StepTools;
-
 /// Returns a line for each liquid in use with a flow law: the law, the least rate, the largest viscosity and
 /// its explicit step limit. Requires: prepareWorld.
-std::vector<std::string> flowLawLines(const World& world);
+std::vector<std::string> flowLawLines(const Scene& scene, const Modules& modules);
 
 /// Returns a warning for each such liquid whose largest viscosity makes explicit steps more than four times
-/// shorter than sound does: the implicit solver has no such limit.
-std::vector<SceneWarning> thickFlows(const World& world, const StepTools& tools);
+/// shorter than sound does: the implicit solver has no such limit. limits: of the materials.
+std::vector<SceneWarning> thickFlows(const Scene& scene, const Modules& modules, const StepLimits& limits);
 
 }  // namespace thaw

@@ -44,12 +44,12 @@ TEST(CarriedDensity, AllInstructionSetsGiveTheSameBits) {
       Scene s = liquidInACorner(solid);
       s.numerics.precision = precision;
       Simulation base(s);
-      base.tools.kernels = pairKernels("base");
+      base.tools.sums.kernels = pairKernels("base");
       for (int k = 0; k < 5; k++) ASSERT_TRUE(base.step());
       for (const char* name : {"avx2", "avx512"}) {
         if (!pairKernels(name)) continue;
         Simulation other(s);
-        other.tools.kernels = pairKernels(name);
+        other.tools.sums.kernels = pairKernels(name);
         for (int k = 0; k < 5; k++) ASSERT_TRUE(other.step());
         const Continuum &p = base.particles(), &q = other.particles();
         ASSERT_EQ(p.owned, q.owned);

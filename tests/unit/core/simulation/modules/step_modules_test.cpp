@@ -37,13 +37,13 @@ TEST(StepModules, HaveUniqueNamesAndAtMostOneCallPerPhase) {
 }
 
 TEST(StepModules, SceneWithoutModulesHasOnlyLoadsFromOutside) {
-  EXPECT_EQ(callsOf(phasesOf(World{}, StepTools{})), 3u);
+  EXPECT_EQ(callsOf(phasesOf(World{}, TermWork{})), 3u);
 }
 
 TEST(StepModules, ActInTheOrderOfTheirList) {
   World w;
   w.modules.buoyancy = w.modules.sleep = w.modules.heat = true;
-  const StepPhases phases = phasesOf(w, StepTools{});
+  const StepPhases phases = phasesOf(w, TermWork{});
   const auto in = [&](ModulePhase phase) { return phases.calls[static_cast<std::size_t>(phase)]; };
   EXPECT_EQ(in(ModulePhase::SecondKick),
             callsOf({"loads from outside", "sleep", "buoyancy"}, ModulePhase::SecondKick));

@@ -61,7 +61,7 @@ TEST(Watch, SnapshotsBeforeAFailureDoNotForgiveIt) {
   acceptState(w.watch, w.clock, {});
   constexpr double failsAt = 7;
   std::int64_t tries = 0;
-  for (; mayRetry(w, b) && tries < 100; tries++) {
+  for (; mayRetry(w.scene.numerics, w.watch, w.clock, b) && tries < 100; tries++) {
     const double before = w.clock.time;
     halveStep(w.watch, w.clock, w.scene, w.watch, failsAt);
     for (int good = 0; good < 1000; good++) {  // all the way to the failure
@@ -73,7 +73,7 @@ TEST(Watch, SnapshotsBeforeAFailureDoNotForgiveIt) {
   EXPECT_EQ(w.watch.halvings, w.scene.numerics.retries);
   w.clock.time = failsAt + 10;  // past it by the time of retry_every full steps
   for (int good = 0; good < 64; good++) acceptState(w.watch, w.clock, {});
-  EXPECT_TRUE(mayRetry(w, b));
+  EXPECT_TRUE(mayRetry(w.scene.numerics, w.watch, w.clock, b));
 }
 
 TEST(Watch, NoRetryTakesAStepBelowTheLimit) {
@@ -82,12 +82,12 @@ TEST(Watch, NoRetryTakesAStepBelowTheLimit) {
   b.step = 0.2;
   w.clock.dt = 1;
   acceptState(w.watch, w.clock, {});
-  EXPECT_TRUE(mayRetry(w, b));
+  EXPECT_TRUE(mayRetry(w.scene.numerics, w.watch, w.clock, b));
   halveStep(w.watch, w.clock, w.scene, w.watch, 0);
-  EXPECT_TRUE(mayRetry(w, b)) << "0.25 s";
+  EXPECT_TRUE(mayRetry(w.scene.numerics, w.watch, w.clock, b)) << "0.25 s";
   halveStep(w.watch, w.clock, w.scene, w.watch, 0);
   EXPECT_EQ(w.clock.dt, 0.25);
-  EXPECT_FALSE(mayRetry(w, b)) << "0.125 s";
+  EXPECT_FALSE(mayRetry(w.scene.numerics, w.watch, w.clock, b)) << "0.125 s";
   EXPECT_TRUE(retryTooShort(w.watch, w.clock, b));
 }
 

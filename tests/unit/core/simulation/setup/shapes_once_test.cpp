@@ -26,10 +26,10 @@ TEST(Shapes, AreBuiltOncePerBody) {
     return ballMesh({}, 1, 0.2);
   };
   simulation.prepare(load);
-  EXPECT_EQ(simulation.tools.shapes.size(), 1u);
+  EXPECT_EQ(simulation.tools.sources.shapes.size(), 1u);
   simulation.start(load);
   EXPECT_EQ(made, 1);
-  EXPECT_TRUE(simulation.tools.shapes.empty()) << "they are not kept";
+  EXPECT_TRUE(simulation.tools.sources.shapes.empty()) << "they are not kept";
   EXPECT_NEAR(static_cast<double>(simulation.world.particles.owned), 4 * 3.14159 / 3 * 1000, 100);
 }
 

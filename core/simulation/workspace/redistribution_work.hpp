@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Work data of the redistribution of particles: partition, particles that leave, order.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/ledger/leaver.hpp"
+#include "core/neighbours/sort.hpp"
+
+namespace thaw {
+
+struct RedistributionWork {
+  SortBuffers sort;
+  std::vector<std::uint32_t> leaving;  ///< rows that leave the domain, ascending
+  std::vector<Leaver> leavers;         ///< from all ranks; empty without surface tension
+  bool mayLeave = true;                ///< a particle may be beyond an open side; false: the drift found none
+  bool newPartition = true;            ///< cell owners may differ from the last evaluation
+  bool looseMemory = false;  ///< the last evaluation had a new partition, and its temporary memory is free
+};
+
+}  // namespace thaw
