@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Finds all packages that thaw is built with. All that are missing are listed in one error, with the packages
-# of Debian and Spack that have them. docs/howto/install.md has the same list.
+# of Debian and Spack that have them.
 set(thaw_missing "")
 
 # thaw_find(PACKAGE VERSION PURPOSE NAMES [arguments of find_package])

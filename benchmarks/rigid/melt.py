@@ -39,6 +39,8 @@ def lines(rows):
         f"{spent:.0f} s of processor time (limit {TARGET} s{', missed' if spent > TARGET else ''}). "
         "Elastic waves, contacts and sound limit its step.",
         f"Shares of the time by phase: {shares}.",
+        "At a spacing of 10 mm, a sound speed of 13 instead of 26 m/s makes the bust bounce 9 % higher.",
+        "Incompressible liquid makes it bounce 80 % higher, and does not hold it to the plate.",
     ]
 
 

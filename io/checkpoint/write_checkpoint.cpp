@@ -224,7 +224,7 @@ std::string nextPath(const std::string& out, MPI_Comm comm, std::int64_t& sequen
 std::string writeNext(const std::string& out, MPI_Comm comm, const World& w, const PackedTable* packed,
                       const RunStamp& stamp, const CheckpointValues& values) {
   std::int64_t sequence = 1;
-  const std::string path = nextPath(out, comm, sequence);
+  std::string path = nextPath(out, comm, sequence);
   writeState(path, sequence, comm, w, packed, stamp, values);
   return path;
 }
@@ -247,7 +247,7 @@ std::string snapshotFilePath(const std::string& out, std::int64_t step) {
 
 std::string writeSnapshot(const std::string& out, MPI_Comm comm, const WorldSnapshot& kept,
                           const RunStamp& stamp, const CheckpointValues& values) {
-  const std::string path = snapshotFilePath(out, kept.world.clock.step);
+  std::string path = snapshotFilePath(out, kept.world.clock.step);
   writeState(path, 0, comm, kept.world, &kept.particles, stamp, values);
   return path;
 }

@@ -76,6 +76,7 @@ SurfaceFrame readSurfaceFrame(const std::string& path,
       frame.components = wholeNumbers(column, n);
     } else {
       frame.columns.push_back(std::move(column));
+      continue;
     }
     column.bytes = {};
   }

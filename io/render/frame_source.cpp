@@ -74,7 +74,7 @@ bool ofSurface(const fs::path& frame) {
 /// Returns the body type of a frame that is drawn with others, "sheet" for melt_sheet_000120.hdf; else "".
 std::string bodyTypeOfFrame(const fs::path& frame) {
   const std::string stem = stemOf(frame);
-  for (const std::string kind : {"sheet", "oriented"}) {
+  for (std::string kind : {"sheet", "oriented"}) {
     if (!stem.ends_with("_" + kind)) continue;
     for (const FrameInfo::Field& f : readFrameInfo(frame.string()).fields)
       if (f.name == kind + "_body") return kind;
@@ -171,7 +171,7 @@ std::vector<fs::path> findFrames(const fs::path& path, FrameKind kind) {
   }
   if (!particles)  // scene without continuum
     for (const FrameKind other : {FrameKind::Sheet, FrameKind::Oriented}) try {
-        const std::vector<fs::path> frames = findFrames(path, other);
+        std::vector<fs::path> frames = findFrames(path, other);
         if (kind != FrameKind::Surface) return frames;
         particles = true;
       } catch (const IoError&) {  // reported below

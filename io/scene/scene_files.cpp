@@ -76,7 +76,7 @@ struct Unpacker {
       n = 10 * n + static_cast<std::size_t>(bytes[at++] - '0');
     if (digits == 0 || at >= bytes.size() || bytes[at] != ':' || n > bytes.size() - at - 1)
       throw std::runtime_error("the packed scene files are damaged");
-    const std::string s = bytes.substr(at + 1, n);
+    std::string s = bytes.substr(at + 1, n);
     at += n + 1;
     return s;
   }

@@ -200,7 +200,7 @@ TEST(Compare, UnreadableFilesGiveExitCode3) {
   writeFrame(frame, MPI_COMM_WORLD, frameOf(sample.w, rankOf()), stamp);
   if (rankOf() != 0) return;
   std::ofstream(bad) << "not HDF5";
-  std::ofstream(folder.path + "/empty.hdf");
+  std::ofstream(folder.path + "/empty.hdf") << "";
   for (const std::string& b : {bad, folder.path + "/empty.hdf", folder.path + "/none.hdf", folder.path}) {
     EXPECT_EQ(compareCommand({frame, b, -1}), 3) << b;
     if (b != folder.path) { EXPECT_EQ(infoCommand({b, true}), 3) << b; }

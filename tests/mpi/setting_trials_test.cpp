@@ -2,6 +2,8 @@
 // `thaw check` tries settings on a scene before it recommends them. All ranks find the same answer.
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "io/commands/check/setting_trials.hpp"
 #include "tests/support/output_sample.hpp"
 
@@ -12,7 +14,7 @@ namespace {
 
 /// A scene file of falling water. All ranks have its name, and the first one reads it.
 std::string fallingWater(const std::string& folder) {
-  const std::string path = folder + "/falling.toml";
+  std::string path = folder + "/falling.toml";
   if (rankOf() == 0)
     std::ofstream(path)
         << "spacing = 0.05\nend = 0.5\n[domain]\nmin = [-0.5, -0.5, 0]\nmax = [0.5, 0.5, "

@@ -270,7 +270,7 @@ TEST(Simulation, NamesScenesWithoutAName) {
   Scene bad;
   bad.spacing = -1;
   try {
-    Simulation(bad, {});
+    const Simulation refused(bad, {});
     FAIL();
   } catch (const SceneErrors& e) { EXPECT_EQ(std::string(e.what()).rfind("scene: error: ", 0), 0u); }
   int ranks = 0;

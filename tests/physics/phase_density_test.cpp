@@ -141,7 +141,7 @@ TEST(PhaseDensity, MeltGrowsByTheRatioOfDensities) {
 }
 
 /// Freezes a column of melt on a floor. Returns its height over that before.
-double growthOfSolid(Material m, double& residual) {
+double growthOfSolid(const Material& m, double& residual) {
   Scene s = column(m, 30, 300);
   temper(s, 0.5, 1, 260);
   s.numerics = carried();

@@ -16,7 +16,7 @@ constexpr std::size_t edgeCount = 24;  // numbers of edges: 8 axis + first corne
 
 std::size_t numberOf(int a, int b) {
   const int axis = std::countr_zero(static_cast<unsigned>(a ^ b));
-  return static_cast<std::size_t>(8 * axis + (a & b));
+  return 8 * static_cast<std::size_t>(axis) + static_cast<std::size_t>(a & b);
 }
 AxisEdge edgeOf(std::size_t number) {
   return {static_cast<std::uint8_t>(number % 8), static_cast<std::uint8_t>(number / 8)};

@@ -43,7 +43,7 @@ ShapePart makeExtension(const Shape& s) {
   const ShapeMaker* make = findExtensionShape(s.extension.name);
   if (!make) throw ShapeError("this program has no shape '" + s.extension.name + "'", s.where);
   try {
-    const ShapePart part = (*make)(s.extension);
+    ShapePart part = (*make)(s.extension);
     if (!part) throw std::invalid_argument("it made no shape");
     return part;
   } catch (const ShapeError& e) {
@@ -123,7 +123,7 @@ Placement placementOf(const Shape& s, const ShapePart& part) {
 }
 
 std::shared_ptr<const SignedDistance> makeSignedDistance(const Shape& s, const MeshLoader& load) {
-  const ShapePart part = makeUnplaced(s, load);
+  ShapePart part = makeUnplaced(s, load);
   const Placement p = placementOf(s, part);
   if (p.scale == 1 && p.move == Vec3d{} && s.rotate == Vec3d{}) return part;
   return std::make_shared<PlacedDistance>(part, p);

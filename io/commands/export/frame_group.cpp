@@ -62,7 +62,7 @@ std::vector<fs::path> framesOf(const fs::path& input, unsigned content) {
 std::vector<fs::path> firstFrames(const ExportOptions& options, unsigned wanted, unsigned& content) {
   if (!fs::exists(options.input)) findFrames(options.input);  // throws the error
   if (!fs::is_directory(options.input)) {
-    const std::vector<fs::path> frames = findFrames(options.input);
+    std::vector<fs::path> frames = findFrames(options.input);
     if (frames.empty()) throw IoError(options.input.string(), "the index names no frames");
     content = contentOfFrame(frames.front());
     return frames;

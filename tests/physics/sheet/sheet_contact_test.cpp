@@ -40,7 +40,7 @@ Scene foldingScene(bool ball) {
   b.bending = 0.1;
   b.selfContact = true;
   b.shape.rotate = ball ? Vec3d{0, 0, 0.3} : Vec3d{1.53, 0, 0.2};
-  b.shape.move = {0.01, 0.005, ball ? 0.2 : 0.2};
+  b.shape.move = {0.01, 0.005, 0.2};
   s.end = 1;
   return s;
 }

@@ -36,7 +36,10 @@ double expectedParticles(const std::vector<std::shared_ptr<const SignedDistance>
 double expectedArea(const std::vector<std::shared_ptr<const SignedDistance>>& shapes) {
   constexpr int n = 32;
   std::vector<char> in(n * n * n);
-  const auto at = [](const int(&c)[3]) { return static_cast<std::size_t>((c[2] * n + c[1]) * n + c[0]); };
+  const auto at = [](const int(&c)[3]) {
+    return (static_cast<std::size_t>(c[2]) * n + static_cast<std::size_t>(c[1])) * n +
+           static_cast<std::size_t>(c[0]);
+  };
   double sum = 0;
   for (const auto& shape : shapes) {
     if (const double known = shape->area(); known >= 0) {

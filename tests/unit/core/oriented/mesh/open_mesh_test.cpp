@@ -23,7 +23,7 @@ OrientedBody ofMesh(const std::string& path) {
   return b;
 }
 
-SampledPoints pointsOf(const TriangleMesh& m, OrientedBody b = ofMesh("m")) {
+SampledPoints pointsOf(const TriangleMesh& m, const OrientedBody& b = ofMesh("m")) {
   return samplePoints(b, spacing, 1, [&](const std::string&) { return m; });
 }
 

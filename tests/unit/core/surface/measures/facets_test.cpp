@@ -53,11 +53,9 @@ TEST(Facets, VolumeOfAFilmWithSmoothNormalsIsExact) {
   for (int y = -30; y <= 30; y++)
     for (int x = -30; x <= 30; x++)
       for (int side = -1; side <= 1; side += 2) {
+        const int key = 200 * (y + 40) + 2 * (x + 40) + side;
         const auto noise = [&](std::uint64_t k) {
-          return 0.15 * d *
-                 (2 * randomUniform(5, Purpose::Test,
-                                    static_cast<std::uint64_t>(200 * (y + 40) + 2 * (x + 40) + side), k) -
-                  1);
+          return 0.15 * d * (2 * randomUniform(5, Purpose::Test, static_cast<std::uint64_t>(key), k) - 1);
         };
         const Vec3d at{d * (x + 0.5 * (y & 1)) + noise(0), 0.8660254 * d * y + noise(1), side * t};
         const double from = std::sqrt(at.x * at.x + at.y * at.y),

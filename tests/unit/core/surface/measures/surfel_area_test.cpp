@@ -44,10 +44,9 @@ std::vector<Flat> addSheet(RelaxRig& rig, double noise) {
   const double d = rig.w.surface.spacing;
   for (int y = -12; y <= 12; y++)
     for (int x = -12; x <= 12; x++) {
+      const int key = 100 * (y + 20) + x + 20;
       const auto random = [&](std::uint64_t axis) {
-        return noise * (2 * randomUniform(3, Purpose::Test,
-                                          static_cast<std::uint64_t>(100 * (y + 20) + x + 20), axis) -
-                        1);
+        return noise * (2 * randomUniform(3, Purpose::Test, static_cast<std::uint64_t>(key), axis) - 1);
       };
       all.push_back({d * (x + 0.5 * (y & 1)) + random(0), 0.8660254 * d * y + random(1)});
       rig.addSurfel({all.back().x, all.back().y, 0}, {0, 0, 1});

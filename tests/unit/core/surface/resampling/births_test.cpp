@@ -5,13 +5,11 @@
 #include <gtest/gtest.h>
 
 #include "core/surface/advection/reference_motion.hpp"
-#include "tests/support/surface/relax_rig.hpp"
 #include "tests/unit/core/surface/surfel_rig.hpp"
 
 namespace thaw {
 namespace {
 
-using test::RelaxRig;
 using test::SurfelRig;
 
 /// A flat sheet of surfels 0.1 apart that follow their initial positions, stretched, sheared and rotated
@@ -90,7 +88,8 @@ TEST(Births, AtTheStartAreOnTheMesh) {
   rig.add({0.46, 0.1, 0.46}, normalized(Vec3d{1, 0, 1.2}), 1);
   Surfels& s = rig.surfels();
   s.id[0] |= birthBit;
-  putBirthsOnShapes(rig.world.scene, rig.world.surface, [&](const std::string&) { return cube; });
+  putBirthsOnShapes(rig.world.scene, rig.world.surface,
+                    [&](const std::string&) -> TriangleMesh { return cube; });
   EXPECT_LT(length(s.position[0] - Vec3d{0.46, 0.1, 0.5}) * length(s.position[0] - Vec3d{0.5, 0.1, 0.46}),
             1e-12);
   EXPECT_GT(std::max(s.normal[0].x, s.normal[0].z), 1 - 1e-12);
