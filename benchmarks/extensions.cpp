@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "core/domain/extensions.hpp"
+#include "core/terms/extensions.hpp"
 #include "io/simulation/simulation.hpp"
 #include "parallel/communicator.hpp"
 #include "tests/support/extensions/kernels.hpp"

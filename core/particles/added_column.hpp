@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A field of particles that an extension declares (core/domain/extensions.hpp): State, of doubles.
+// A field of particles that an extension declares (core/terms/extensions.hpp): State, of doubles.
 #pragma once
 #include "core/particles/column.hpp"
 

@@ -215,6 +215,7 @@ class ColumnList {
     if (count_ == column_.size()) throw std::logic_error("ColumnList is full");
     column_[count_++] = column;
   }
+  bool empty() const { return count_ == 0; }
   operator std::span<AnyColumn* const>() const { return {column_.data(), count_}; }
 
  private:

@@ -220,10 +220,10 @@ struct Continuum : Table {
       "sum of all forces; shares the memory of `acceleration` where possible, until the kick converts it "
       "(forceOf, core/simulation/time/integrate.hpp)", Rows::Owned};
   Column<Vec3d> outsideForce{*this, "outsideForce", "N", Keep::State,
-      "part of the force that the program adds (core/domain/outside_forces.hpp)", Rows::Owned};
+      "part of the force that the program adds (core/terms/outside_forces.hpp)", Rows::Owned};
   Column<double> buoyancy{*this, "buoyancy", "1", Keep::State,
       "its relative deficit of density in the last evaluation: its buoyant force over its weight, upwards "
-      "(core/domain/buoyant_force.hpp)", Rows::Owned};
+      "(core/terms/buoyant_force.hpp)", Rows::Owned};
   Column<double> heatFlow{*this, "heatFlow", "W", Keep::Transient,
       "sum of all heat flows into the particle", Rows::Owned};
   Column<double> dissipation{*this, "dissipation", "W", Keep::Transient,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Declaration of the keys of a table in a scene file, by terms of the model (core/domain/model_part.hpp).
+// Declaration of the keys of a table in a scene file, by terms of the model (core/terms/model_part.hpp).
 // io/scene reads, documents, checks and records keys from one declaration.
 #pragma once
 #include <initializer_list>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Modules of the model that a scene needs (core/domain/find_modules.hpp). An inactive module allocates no
+// Modules of the model that a scene needs (core/terms/find_modules.hpp). An inactive module allocates no
 // field, runs no loop and sends no data.
 #pragma once
 #include <string>

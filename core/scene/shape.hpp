@@ -40,7 +40,7 @@ enum class ShapeKind {
   Extension
 };
 
-/// The name of an extension and the values of its keys (core/domain/extensions.hpp).
+/// The name of an extension and the values of its keys (core/terms/extensions.hpp).
 struct ExtensionSettings {
   std::string name;
   std::map<std::string, double> values;  // by key, SI

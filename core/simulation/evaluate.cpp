@@ -59,8 +59,7 @@ void findForces(StepContext& c) {
   World& w = c.w;
   StepTools& t = c.t;
   const ColumnList columns = densityColumns(w.particles);
-  if (!std::span<AnyColumn* const>(columns).empty())
-    c.densities = refresh(c.halos.cells, w.particles, columns);
+  if (!columns.empty()) c.densities = refresh(c.halos.cells, w.particles, columns);
   t.times.lap(StepPhase::Exchange);
   runPhase(ModulePhase::Deformation, c);
   const bool pairs = w.modules.neighbours;  // a scene of one solid searches only to form its bonds

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/domain/extensions.hpp"
 #include "core/domain/sides.hpp"
 #include "core/halo/bonded_rows.hpp"
 #include "core/heat/heat.hpp"
@@ -13,6 +12,7 @@
 #include "core/simulation/ledger/report.hpp"
 #include "core/simulation/sums/stored_energy.hpp"
 #include "core/simulation/views/views.hpp"
+#include "core/terms/extensions.hpp"
 
 namespace thaw {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/domain/extensions.hpp"
 #include "core/math/exact_sum.hpp"
 #include "core/simd/choose.hpp"
+#include "core/terms/extensions.hpp"
 #include "io/simulation/simulation.hpp"
 #include "parallel/communicator.hpp"
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <numbers>
 
-#include "core/domain/extensions.hpp"
+#include "core/terms/extensions.hpp"
 #include "io/simulation/simulation.hpp"
 #include "parallel/communicator.hpp"
 

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string>
 
-#include "core/domain/extensions.hpp"
+#include "core/terms/extensions.hpp"
 #include "io/simulation/simulation.hpp"
 #include "parallel/communicator.hpp"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/domain/extensions.hpp"
 #include "core/simd/choose.hpp"
+#include "core/terms/extensions.hpp"
 #include "io/simulation/simulation.hpp"
 #include "parallel/communicator.hpp"
 

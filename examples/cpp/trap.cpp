@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/domain/extensions.hpp"
+#include "core/terms/extensions.hpp"
 #include "io/simulation/simulation.hpp"
 #include "parallel/communicator.hpp"
 

@@ -4,8 +4,8 @@
 #include <cstring>
 #include <filesystem>
 
-#include "core/domain/extensions.hpp"
 #include "core/simulation/ledger/totals.hpp"
+#include "core/terms/extensions.hpp"
 #include "io/checkpoint/checkpoint.hpp"
 #include "io/checkpoint/surface_record.hpp"
 #include "io/hdf5/parallel_file.hpp"

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <sstream>
 
-#include "core/domain/find_modules.hpp"
 #include "core/geometry/basic/signed_distance.hpp"
+#include "core/terms/find_modules.hpp"
 #include "io/image/linear_light.hpp"
 #include "io/scene/read_scene.hpp"
 #include "io/scene/scene_for_all.hpp"

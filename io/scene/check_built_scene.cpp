@@ -7,7 +7,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "core/domain/extensions.hpp"
+#include "core/terms/extensions.hpp"
 #include "io/scene/read_scene.hpp"
 #include "io/scene/tables/read_sections.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/domain/extensions.hpp"
+#include "core/terms/extensions.hpp"
 #include "io/scene/read_scene.hpp"
 #include "io/scene/tables/read_sections.hpp"
 #include "io/scene/text/expression.hpp"
@@ -131,7 +131,7 @@ constexpr const char* afterWords =
     "error.\n"
     "A temperature that depends on position switches heat on where something conducts heat or melts.\n";
 
-/// Lists the terms of the library (core/domain/terms.hpp).
+/// Lists the terms of the library (core/terms/terms.hpp).
 std::string termsDocumentation() {
   std::string text =
       "\n## Terms of the model\n"

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <set>
 
-#include "core/domain/extensions.hpp"
 #include "core/scene/buoyancy.hpp"
 #include "core/scene/modules.hpp"
+#include "core/terms/extensions.hpp"
 #include "io/frames/frame_fields.hpp"
 #include "io/scene/surface_advice.hpp"
 #include "io/scene/text/nearest_word.hpp"

@@ -16,10 +16,10 @@
 #include <string>
 #include <vector>
 
-#include "core/domain/outside_forces.hpp"
 #include "core/simulation/ledger/report.hpp"
 #include "core/simulation/workspace/step_hooks.hpp"
 #include "core/simulation/world/world.hpp"
+#include "core/terms/outside_forces.hpp"
 #include "io/run/run_options.hpp"
 
 namespace thaw {

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "core/domain/outside_forces.hpp"
+#include "core/terms/outside_forces.hpp"
 #include "python/src/program_calls.hpp"
 
 namespace thaw::python {

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "core/domain/extensions.hpp"
+#include "core/terms/extensions.hpp"
 #include "io/scene/text/units.hpp"
 #include "python/src/load_rows.hpp"
 

@@ -9,11 +9,11 @@
 #include <map>
 #include <numeric>
 
-#include "core/domain/extensions.hpp"
 #include "core/geometry/shapes/primitives.hpp"
 #include "core/math/exact_sum.hpp"
 #include "core/solid/laws/elastic_constants.hpp"
 #include "core/solid/laws/response.hpp"
+#include "core/terms/extensions.hpp"
 #include "io/scene/read_scene.hpp"
 #include "io/simulation/simulation.hpp"
 #include "parallel/communicator.hpp"

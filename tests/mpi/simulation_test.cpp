@@ -7,8 +7,8 @@
 #include <functional>
 #include <utility>
 
-#include "core/domain/extensions.hpp"
 #include "core/geometry/basic/shape_error.hpp"
+#include "core/terms/extensions.hpp"
 #include "io/run/ledger_history.hpp"
 #include "io/scene/check_built_scene.hpp"
 #include "io/scene/read_scene.hpp"

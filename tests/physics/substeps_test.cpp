@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "core/domain/find_modules.hpp"
 #include "core/simulation/time/limits.hpp"
 #include "core/solid/laws/plasticity.hpp"
+#include "core/terms/find_modules.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace thaw::test {

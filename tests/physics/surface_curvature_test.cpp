@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/domain/extensions.hpp"
+#include "core/terms/extensions.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace thaw {

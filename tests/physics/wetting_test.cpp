@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/domain/find_modules.hpp"
 #include "core/simulation/time/integrate.hpp"
+#include "core/terms/find_modules.hpp"
 #include "core/walls/wall_surface_energy.hpp"
 #include "tests/support/simulation.hpp"
 

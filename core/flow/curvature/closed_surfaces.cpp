@@ -5,12 +5,12 @@
 #include <cmath>
 #include <iterator>
 
-#include "core/domain/outside_forces.hpp"
 #include "core/flow/curvature/surface_loops.hpp"
 #include "core/halo/exchange.hpp"
 #include "core/halo/spread_labels.hpp"
 #include "core/rigid/contact/fixed_sum.hpp"
 #include "core/rigid/piece_sums.hpp"
+#include "core/terms/outside_forces.hpp"
 #include "core/walls/wall_forces.hpp"
 
 namespace thaw {

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include "core/domain/extensions.hpp"
 #include "core/flow/curvature/closed_surfaces.hpp"
 #include "core/flow/curvature/surface_loops.hpp"
 #include "core/flow/curvature/thin_cohesion.hpp"
 #include "core/fluid/laws/particle_pressure.hpp"
+#include "core/terms/extensions.hpp"
 #include "core/walls/wall_forces.hpp"
 
 namespace thaw {

@@ -6,8 +6,8 @@
 // Unlike the surface energy it has no potential and no pair form, so its work counts as that of a force from
 // outside, and its net impulse is recorded, too.
 #pragma once
-#include "core/domain/outside_forces.hpp"
 #include "core/flow/curvature/surface_curvature.hpp"
+#include "core/terms/outside_forces.hpp"
 
 namespace thaw {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forces between pairs of liquid particles that extensions bring (core/domain/extensions.hpp). The pair
+// Forces between pairs of liquid particles that extensions bring (core/terms/extensions.hpp). The pair
 // function is written once on lanes (core/fluid/terms/extension_pair_force_term.hpp).
 #pragma once
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shapes of extensions (core/domain/extensions.hpp), by name.
+// Shapes of extensions (core/terms/extensions.hpp), by name.
 #pragma once
 #include <functional>
 #include <memory>

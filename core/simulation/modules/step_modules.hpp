@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/domain/term_work.hpp"
 #include "core/simulation/workspace/step_phases.hpp"
 #include "core/simulation/world/world.hpp"
+#include "core/terms/term_work.hpp"
 
 namespace thaw {
 

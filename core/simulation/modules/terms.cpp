@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Body forces and sources of heat of the library (core/domain/terms.hpp), and loads of programs.
+// Body forces and sources of heat of the library (core/terms/terms.hpp), and loads of programs.
 #include <algorithm>
 
 #include "core/simulation/modules/step_modules.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include "core/domain/term_work.hpp"
 #include "core/simulation/world/world.hpp"
 #include "core/solid/elasticity/elastic.hpp"
+#include "core/terms/term_work.hpp"
 
 namespace thaw {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "core/domain/extensions.hpp"
+#include "core/terms/extensions.hpp"
 
 namespace thaw {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of a scene's extensions and terms in a world (core/domain/extensions.hpp).
+// The parts of a scene's extensions and terms in a world (core/terms/extensions.hpp).
 #pragma once
-#include "core/domain/term_work.hpp"
 #include "core/geometry/basic/shape_error.hpp"
 #include "core/geometry/basic/signed_distance.hpp"
 #include "core/simulation/time/step_limits.hpp"
 #include "core/simulation/world/world.hpp"
+#include "core/terms/term_work.hpp"
 
 namespace thaw {
 

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "core/domain/emit.hpp"
-#include "core/domain/extensions.hpp"
 #include "core/domain/outside.hpp"
 #include "core/domain/sides.hpp"
 #include "core/geometry/basic/shape_error.hpp"
@@ -21,6 +20,7 @@
 #include "core/simulation/setup/warnings/start_warnings.hpp"
 #include "core/simulation/setup/warnings/thick_flow.hpp"
 #include "core/simulation/setup/warnings/thin_walls.hpp"
+#include "core/terms/extensions.hpp"
 
 namespace thaw {
 namespace {

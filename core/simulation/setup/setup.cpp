@@ -6,8 +6,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/domain/extensions.hpp"
-#include "core/domain/find_modules.hpp"
 #include "core/domain/sides.hpp"
 #include "core/flow/curvature/tension_interval.hpp"
 #include "core/fluid/laws/surface_energy.hpp"
@@ -50,6 +48,8 @@
 #include "core/simulation/time/limits.hpp"
 #include "core/simulation/views/views.hpp"
 #include "core/solid/elasticity/active_slots.hpp"
+#include "core/terms/extensions.hpp"
+#include "core/terms/find_modules.hpp"
 #include "core/time/frame_times.hpp"
 
 namespace thaw {

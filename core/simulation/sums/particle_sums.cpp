@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "core/contact/solid_contact.hpp"
-#include "core/domain/extensions.hpp"
 #include "core/flow/curvature/tension_interval.hpp"
 #include "core/flow/density/carried_density.hpp"
 #include "core/flow/implicit_viscosity/implicit_viscosity.hpp"
@@ -19,6 +18,7 @@
 #include "core/rigid/piece_joint.hpp"
 #include "core/scene/tension_form.hpp"
 #include "core/simulation/views/views.hpp"
+#include "core/terms/extensions.hpp"
 
 namespace thaw {
 ColumnList ghostColumns(const Modules& m, Continuum& p) {

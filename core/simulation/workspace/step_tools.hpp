@@ -5,7 +5,6 @@
 
 #include "core/contact/contact_work.hpp"
 #include "core/domain/particle_sources.hpp"
-#include "core/domain/term_work.hpp"
 #include "core/flow/density/carry_work.hpp"
 #include "core/flow/implicit_viscosity/viscous_work.hpp"
 #include "core/flow/incompressible/pressure_work.hpp"
@@ -22,6 +21,7 @@
 #include "core/simulation/workspace/step_phases.hpp"
 #include "core/sleep/sleep.hpp"
 #include "core/solid/solid_work.hpp"
+#include "core/terms/term_work.hpp"
 #include "core/time/phase_times.hpp"
 #include "core/walls/wall_work.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Elastic laws by name: those of the library (core/solid/laws/laws.hpp) and those of extensions
-// (core/domain/extensions.hpp), with stress, energy and stiffness.
+// (core/terms/extensions.hpp), with stress, energy and stiffness.
 #pragma once
 #include <array>
 #include <functional>

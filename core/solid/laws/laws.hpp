@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of elastic laws of the library. Its rows are compiled into the bond loops
 // (core/solid/elasticity/elastic_isa.cpp) and entered into the registry of extensions
-// (core/domain/extensions.hpp), from which scenes, documents, checks and restarts have them.
+// (core/terms/extensions.hpp), from which scenes, documents, checks and restarts have them.
 // To add a law: docs/developer/extend.md.
 #pragma once
 #include "core/solid/laws/corotated.hpp"

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <map>
 
-#include "core/domain/find_modules.hpp"
 #include "core/scene/expected_speeds.hpp"
+#include "core/terms/find_modules.hpp"
 #include "io/commands/check/chosen_numerics.hpp"
 
 namespace thaw {

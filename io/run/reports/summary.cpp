@@ -224,10 +224,10 @@ std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
   add(c.wallProjections, "times a particle was pushed out of an obstacle");
   const double largest = l.energyLargest;
   if (!isRounding(l) && std::abs(l.energyResidual) > 0.05 * largest)
-    w.push_back(
-        fmt::format("the ledger does not close: {:+.3g} J of mechanical energy ({:.0f} % of its largest term "
-                    "in this run) are unexplained; try shorter steps (`numerics.max_step`)",
-                    l.energyResidual, 100 * std::abs(l.energyResidual) / largest));
+    w.push_back(fmt::format(
+        "the ledger does not close: {:+.3g} J of mechanical energy ({:.0f} % of its largest term "
+        "in this run) are unexplained; try shorter steps (`numerics.max_step`, or `fixed_step` if set)",
+        l.energyResidual, 100 * std::abs(l.energyResidual) / largest));
   const double gained = std::max(0.05 * largest, 0.01 * std::abs(l.initial.potential));
   if (!isRounding(l) && l.dissipated < -gained)
     w.push_back(fmt::format(

@@ -3,9 +3,9 @@
 
 #include <map>
 
-#include "core/domain/extensions.hpp"
 #include "core/geometry/basic/shape_error.hpp"
 #include "core/geometry/builtin/builtin_meshes.hpp"
+#include "core/terms/extensions.hpp"
 #include "io/scene/text/checksum.hpp"
 
 namespace thaw {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "core/domain/extensions.hpp"
 #include "core/scene/modules.hpp"
+#include "core/terms/extensions.hpp"
 #include "io/scene/tables/read_sections.hpp"
 
 namespace thaw {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <map>
 
-#include "core/domain/extensions.hpp"
 #include "core/scene/full_box.hpp"
+#include "core/terms/extensions.hpp"
 #include "io/scene/tables/full_box.hpp"
 #include "io/scene/tables/read_sections.hpp"
 #include "io/scene/text/nearest_word.hpp"

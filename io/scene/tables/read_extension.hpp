@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys of extensions (core/domain/extensions.hpp) in scene files.
+// Keys of extensions (core/terms/extensions.hpp) in scene files.
 #pragma once
 #include <vector>
 

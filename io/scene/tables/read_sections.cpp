@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/scene/tables/read_sections.hpp"
 
-#include "core/domain/extensions.hpp"
 #include "core/scene/quality.hpp"
+#include "core/terms/extensions.hpp"
 #include "io/scene/tables/read_extension.hpp"
 #include "io/scene/tables/read_shape.hpp"
 

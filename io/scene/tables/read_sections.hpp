@@ -72,7 +72,7 @@ void readEmitter(TableReader& reader, Emitter& emitter, SceneReading& reading);
 /// recorded.
 void readMaterialName(TableReader& reader, const SceneReading& reading, int place,
                       std::vector<MaterialName>& names, const char* about);
-/// Reads the lists of tables of all terms of the model (core/domain/terms.hpp), such as [[lamp]].
+/// Reads the lists of tables of all terms of the model (core/terms/terms.hpp), such as [[lamp]].
 void readTermTables(TableReader& top, SceneReading& reading);
 /// Reads their keys in [domain].
 void readTermKeys(TableReader& reader, Domain& domain);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/scene/tables/read_sections.hpp"
 
-#include "core/domain/extensions.hpp"
+#include "core/terms/extensions.hpp"
 #include "io/scene/tables/read_shape.hpp"
 
 namespace thaw {

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "core/domain/find_modules.hpp"
 #include "core/geometry/basic/signed_distance.hpp"
 #include "core/geometry/shapes/pose.hpp"
+#include "core/terms/find_modules.hpp"
 #include "io/hdf5/h5_file.hpp"
 #include "io/render/scene_job.hpp"
 #include "io/render/scene_marks.hpp"

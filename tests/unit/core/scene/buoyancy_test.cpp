@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/domain/find_modules.hpp"
 #include "core/scene/expected_speeds.hpp"
+#include "core/terms/find_modules.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace thaw::test {

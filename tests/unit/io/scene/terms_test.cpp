@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties of all terms of the registry (core/domain/terms.hpp).
+// Properties of all terms of the registry (core/terms/terms.hpp).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 #include <set>
 #include <string_view>
 
-#include "core/domain/extensions.hpp"
 #include "core/simulation/time/step_limits.hpp"
+#include "core/terms/extensions.hpp"
 #include "io/run/ledger_log.hpp"
 #include "io/scene/read_scene.hpp"
 #include "io/scene/tables/read_sections.hpp"

@@ -2,11 +2,11 @@
 // Initial velocities and temperatures that vary with position; the automatic sound speed.
 #include <gtest/gtest.h>
 
-#include "core/domain/find_modules.hpp"
 #include "core/geometry/basic/shape_error.hpp"
 #include "core/materials/liquid_materials.hpp"
 #include "core/scene/expected_speeds.hpp"
 #include "core/simulation/setup/start_fields.hpp"
+#include "core/terms/find_modules.hpp"
 #include "tests/support/simulation.hpp"
 
 namespace thaw::test {

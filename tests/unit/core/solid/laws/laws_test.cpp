@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "core/domain/extensions.hpp"
 #include "core/solid/laws/corotated.hpp"
 #include "core/solid/laws/response.hpp"
+#include "core/terms/extensions.hpp"
 #include "tests/support/solid_body.hpp"
 
 using namespace thaw;

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "core/domain/find_modules.hpp"
+#include "core/terms/find_modules.hpp"
 #include "io/commands/check/frontier_file.hpp"
 #include "io/hdf5/io_error.hpp"
 #include "io/scene/read_scene.hpp"

@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "core/domain/find_modules.hpp"
 #include "core/halo/serial.hpp"
 #include "core/oriented/forces/anchors.hpp"
 #include "core/oriented/prepare_oriented.hpp"
 #include "core/sheet/prepare_sheets.hpp"
+#include "core/terms/find_modules.hpp"
 
 namespace thaw {
 namespace {

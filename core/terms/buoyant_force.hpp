@@ -2,8 +2,8 @@
 // Force on liquids by the difference of their density from that at rest, -m f (theta - theta0) g: f liquid
 // fraction, theta deficit of density, theta0 neutralDeficit (core/scene/buoyancy.hpp).
 #pragma once
-#include "core/domain/outside_forces.hpp"
 #include "core/scene/scene.hpp"
+#include "core/terms/outside_forces.hpp"
 
 namespace thaw {
 

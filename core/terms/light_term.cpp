@@ -2,9 +2,9 @@
 // Lamps and lasers. They share the map of lit places.
 #include <memory>
 
-#include "core/domain/source_keys.hpp"
-#include "core/domain/terms.hpp"
 #include "core/heat/sources/heat_sources.hpp"
+#include "core/terms/source_keys.hpp"
+#include "core/terms/terms.hpp"
 
 namespace thaw {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/domain/buoyant_force.hpp"
+#include "core/terms/buoyant_force.hpp"
 
 #include "core/fluid/laws/particle_pressure.hpp"
 #include "core/scene/buoyancy.hpp"

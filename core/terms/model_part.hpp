@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The part of an extension by which the library adds a body force, a source of heat or a pair force with keys
-// in the scene's own tables, such as [[lamp]] or [material.NAME]. core/domain/terms.hpp lists them.
+// in the scene's own tables, such as [[lamp]] or [material.NAME]. core/terms/terms.hpp lists them.
 #pragma once
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "core/domain/outside_forces.hpp"
 #include "core/fluid/pair_sums/pair_kernels.hpp"
 #include "core/fluid/pair_sums/records.hpp"
 #include "core/geometry/basic/shape_error.hpp"
@@ -14,6 +13,7 @@
 #include "core/scene/key_table.hpp"
 #include "core/scene/modules.hpp"
 #include "core/scene/scene.hpp"
+#include "core/terms/outside_forces.hpp"
 
 namespace thaw {
 

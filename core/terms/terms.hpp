@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of body forces, sources of heat and pair forces of the library. Its rows are entered into the
-// registry of extensions (core/domain/extensions.hpp), which scenes, documents, checks, restarts and the step
+// registry of extensions (core/terms/extensions.hpp), which scenes, documents, checks, restarts and the step
 // read. To add a term: docs/developer/extend.md.
 #pragma once
-#include "core/domain/extensions.hpp"
+#include "core/terms/extensions.hpp"
 
 namespace thaw {
 

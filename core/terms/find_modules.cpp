@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/domain/find_modules.hpp"
+#include "core/terms/find_modules.hpp"
 
 #include <algorithm>
 #include <iterator>
 
-#include "core/domain/extensions.hpp"
 #include "core/scene/buoyancy.hpp"
 #include "core/scene/material_use.hpp"
 #include "core/scene/phase_density.hpp"
+#include "core/terms/extensions.hpp"
 
 namespace thaw {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/domain/outside_forces.hpp"
+#include "core/terms/outside_forces.hpp"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/domain/extensions.hpp"
+#include "core/terms/extensions.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <map>
 #include <stdexcept>
 
-#include "core/domain/terms.hpp"
+#include "core/terms/terms.hpp"
 
 namespace thaw {
 namespace {

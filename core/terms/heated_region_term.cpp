@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/domain/source_keys.hpp"
-#include "core/domain/terms.hpp"
 #include "core/heat/sources/heat_sources.hpp"
+#include "core/terms/source_keys.hpp"
+#include "core/terms/terms.hpp"
 
 namespace thaw {
 namespace {

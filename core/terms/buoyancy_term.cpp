@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/domain/buoyant_force.hpp"
-#include "core/domain/terms.hpp"
 #include "core/scene/buoyancy.hpp"
 #include "core/scene/material_use.hpp"
+#include "core/terms/buoyant_force.hpp"
+#include "core/terms/terms.hpp"
 
 namespace thaw {
 namespace {

@@ -3,8 +3,8 @@
 #pragma once
 #include <vector>
 
-#include "core/domain/model_part.hpp"
 #include "core/scene/material_use.hpp"
+#include "core/terms/model_part.hpp"
 
 namespace thaw {
 

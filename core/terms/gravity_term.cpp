@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gravity. Every integrator adds Domain::gravity, so this term has no force of its own.
-#include "core/domain/terms.hpp"
+#include "core/terms/terms.hpp"
 
 namespace thaw {
 namespace {

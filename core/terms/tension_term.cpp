@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <numbers>
 
-#include "core/domain/terms.hpp"
 #include "core/fluid/pair_sums/records.hpp"
 #include "core/materials/liquid_materials.hpp"
 #include "core/materials/surface_tension.hpp"
 #include "core/scene/material_use.hpp"
 #include "core/scene/tension_form.hpp"
+#include "core/terms/terms.hpp"
 
 namespace thaw {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/domain/terms.hpp"
 #include "core/heat/heat.hpp"
+#include "core/terms/terms.hpp"
 
 namespace thaw {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/domain/model_part.hpp"
+#include "core/terms/model_part.hpp"
 
 namespace thaw {
 

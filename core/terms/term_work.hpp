@@ -3,10 +3,10 @@
 #pragma once
 #include <vector>
 
-#include "core/domain/field_update.hpp"
-#include "core/domain/model_part.hpp"
-#include "core/domain/outside_forces.hpp"
 #include "core/fluid/pair_sums/extension_pair_force.hpp"
+#include "core/terms/field_update.hpp"
+#include "core/terms/model_part.hpp"
+#include "core/terms/outside_forces.hpp"
 
 namespace thaw {
 
