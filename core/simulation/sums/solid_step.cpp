@@ -215,7 +215,7 @@ Exchange sendPositions(const Continuum& p, Solids& solids, const Bonds& bonds, B
 }
 
 Exchange deform(World& w, Halos halos, StepTools& t, double dt, SolidExchanges sent) {
-  dt /= w.clock.substeps;  // the last of them
+  dt /= w.clock.substeps;  // length of the last substep
   ElasticStep now = elasticStep(t.solid.elastic, dt);
   if (!fieldsDeferred(w.bonds, t.solid)) deformAll(w, halos, t, now, std::move(sent.positions));
   if (bondsForm(w, halos.all, t.solid, t.phaseChange.frozeAnywhere)) {
