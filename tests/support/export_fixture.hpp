@@ -32,12 +32,12 @@ class Export : public testing::Test {
   ~Export() override { fs::remove_all(folder); }
 
   fs::path surfaceFrame(int number) {
-    const fs::path path = folder / "frames" / ("wax_surface_00000" + std::to_string(number) + ".hdf");
+    fs::path path = folder / "frames" / ("wax_surface_00000" + std::to_string(number) + ".hdf");
     writeSurfaceFrame(path.string(), surfels, 0.1 * number);
     return path;
   }
   fs::path particleFrame(int number) {
-    const fs::path path = folder / "frames" / ("wax_00000" + std::to_string(number) + ".hdf");
+    fs::path path = folder / "frames" / ("wax_00000" + std::to_string(number) + ".hdf");
     Frame frame;
     frame.count = surfels.size();
     frame.positions = {"position", "m", Scalar::F32, 3, surfels.positions.data()};

@@ -101,7 +101,7 @@ struct Bgeo {
 class ExportContents : public Export {
  protected:
   fs::path both(int number, double time) {
-    const fs::path path = folder / "frames" / ("wax_surface_00000" + std::to_string(number) + ".hdf");
+    fs::path path = folder / "frames" / ("wax_surface_00000" + std::to_string(number) + ".hdf");
     writeSurfaceFrame(path.string(), surfels, time, true, sceneText);
     std::vector<Vec3f> velocities;
     std::vector<std::uint64_t> ids;

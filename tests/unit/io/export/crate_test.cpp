@@ -45,7 +45,10 @@ std::vector<std::int32_t> unpackedIntegers(const std::vector<char>& packed, std:
   for (std::size_t i = 0; i < count; i++) {
     const int code = static_cast<unsigned char>(plain[4 + i / 4]) >> 2 * (i % 4) & 3;
     std::int64_t step = common;
-    if (code == 1) step = static_cast<std::int8_t>(plain[at]);
+    if (code == 1) {
+      const int byte = static_cast<unsigned char>(plain[at]);
+      step = byte < 128 ? byte : byte - 256;
+    }
     if (code == 2) {
       std::int16_t s;
       std::memcpy(&s, plain.data() + at, 2);
@@ -111,10 +114,8 @@ TEST_F(Export, PrimsThatComeAndGoAreHidden) {
   for (const char* part :
        {"def Xform \"_2_balls\"", "doc = \"a \\\"quoted\\\" comment\"", "timeCodesPerSecond = 10\n",
         "endTimeCode = 3\n", "def Mesh \"surface_2\"", "uniform token subdivisionScheme = \"none\"",
-        "            2: [(0, 0, 0), (1, 0, 0), (0, 1, 2)],\n",
-        "token visibility.timeSamples = {\n            0: \"invisible\",\n            1: \"inherited\",\n    "
-        "      "
-        "  3: \"invisible\",\n"})
+        "            2: [(0, 0, 0), (1, 0, 0), (0, 1, 2)],\n", "token visibility.timeSamples = {\n",
+        "            0: \"invisible\",\n", "            1: \"inherited\",\n            3: \"invisible\",\n"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   EXPECT_EQ(text.find("visibility"), text.rfind("visibility"));
   EXPECT_FALSE(fs::exists(file.string() + ".part"));

@@ -29,7 +29,7 @@ class FrameSource : public testing::Test {
   /// edges: m, of cubes with the particles' volumes; empty: the frame has no volumes.
   fs::path writeFrame(const std::string& name, double time, std::uint64_t count,
                       const std::vector<double>& edges = {}) {
-    const fs::path path = folder / "frames" / name;
+    fs::path path = folder / "frames" / name;
     H5File file = H5File::create(path.string());
     for (const char* group : {"/VTKHDF", "/VTKHDF/PointData", "/VTKHDF/FieldData"}) file.createGroup(group);
     std::vector<double> points(3 * count), temperature(count), stress(6 * count);
@@ -66,7 +66,7 @@ std::string errorOf(const std::function<void()>& what) {
 }  // namespace
 
 TEST_F(FrameSource, ReadsPositionsTimeAndAField) {
-  const fs::path path = writeFrame("a_0.hdf", 0.25, 10);
+  fs::path path = writeFrame("a_0.hdf", 0.25, 10);
   FrameView view = readFrameView(path, "temperature");
   EXPECT_EQ(view.time, 0.25);
   EXPECT_EQ(view.unit, "K");
@@ -81,7 +81,7 @@ TEST_F(FrameSource, ReadsPositionsTimeAndAField) {
 }
 
 TEST_F(FrameSource, ParticlesHaveTheSizeOfTheirVolume) {
-  const fs::path path = writeFrame("a_0.hdf", 0, 3, {0.1, 0.05, 0.02});
+  fs::path path = writeFrame("a_0.hdf", 0, 3, {0.1, 0.05, 0.02});
   EXPECT_TRUE(readFrameView(path, "").sizes.empty()) << "the spacing is unknown";
   const FrameView view = readFrameView(path, "", {}, {Spray::Surfels, 0.1, 0});
   ASSERT_EQ(view.sizes.size(), 3u);
@@ -105,8 +105,8 @@ TEST_F(FrameSource, FindsFramesByIndexOrByName) {
 }
 
 TEST_F(FrameSource, EveryErrorNamesTheFile) {
-  const fs::path path = writeFrame("a_0.hdf", 0, 1000), cut = folder / "frames" / "cut.hdf",
-                 text = folder / "frames" / "text.hdf";
+  fs::path path = writeFrame("a_0.hdf", 0, 1000), cut = folder / "frames" / "cut.hdf",
+           text = folder / "frames" / "text.hdf";
   EXPECT_NE(errorOf([&] {
               readFrameView(path, "colour");
             }).find("no field 'colour'; there are: stress, temperature, velocity"),

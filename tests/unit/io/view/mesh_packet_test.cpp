@@ -31,7 +31,7 @@ TEST_F(ViewMesh, TheMeshIsClosedAndLiesOnTheSurface) {
   for (std::size_t v = 0; v < x.size() / 3; v++) {
     const Vec3d from = Vec3d{x[3 * v], x[3 * v + 1], x[3 * v + 2]} - Vec3d{0, 0, 0.5};
     EXPECT_NEAR(length(from), 0.5, 0.005);
-    EXPECT_GT(dot(from, Vec3d(n[4 * v], n[4 * v + 1], n[4 * v + 2])), 0.98 * 0.5 * 32767);
+    EXPECT_GT(dot(from, Vec3d{1.0 * n[4 * v], 1.0 * n[4 * v + 1], 1.0 * n[4 * v + 2]}), 0.98 * 0.5 * 32767);
   }
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   const std::vector<std::uint32_t> t = packet.array<std::uint32_t>("triangles");

@@ -2,6 +2,7 @@
 // The restart record against the table of keys.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cctype>
 
 #include "io/scene/tables/read_sections.hpp"
