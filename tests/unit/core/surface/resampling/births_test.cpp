@@ -83,13 +83,12 @@ TEST(Births, AtTheStartAreOnTheMesh) {
   scene.bodies.emplace_back();
   scene.bodies[0].shape.kind = ShapeKind::Mesh;
   scene.bodies[0].shape.mesh = "cube";
-  const TriangleMesh cube = boxMesh({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
+  TriangleMesh cube = boxMesh({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
   SurfelRig rig(scene);
   rig.add({0.46, 0.1, 0.46}, normalized(Vec3d{1, 0, 1.2}), 1);
   Surfels& s = rig.surfels();
   s.id[0] |= birthBit;
-  putBirthsOnShapes(rig.world.scene, rig.world.surface,
-                    [&](const std::string&) -> TriangleMesh { return cube; });
+  putBirthsOnShapes(rig.world.scene, rig.world.surface, [&](const std::string&) { return cube; });
   EXPECT_LT(length(s.position[0] - Vec3d{0.46, 0.1, 0.5}) * length(s.position[0] - Vec3d{0.5, 0.1, 0.46}),
             1e-12);
   EXPECT_GT(std::max(s.normal[0].x, s.normal[0].z), 1 - 1e-12);

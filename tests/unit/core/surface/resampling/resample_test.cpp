@@ -144,7 +144,7 @@ TEST(Resample, EdgesRodsAndSheetsComeToRest) {
     Shape shape;
     shape.kind = ShapeKind::Mesh;
     shape.mesh = "box";
-    const TriangleMesh box = boxMesh(low, high);
+    TriangleMesh box = boxMesh(low, high);
     const std::vector<SurfaceSample> samples = sampleShape(
         shape, [&box](const std::string&) { return box; }, 0.1, 3);
     for (const SurfaceSample& s : samples) rig.add(s.position, s.normal);
