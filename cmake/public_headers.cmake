@@ -3,7 +3,7 @@
 # Runs at installation, with THAW_SOURCE and THAW_HEADERS (folder below the prefix).
 cmake_policy(VERSION 3.22)  # the oldest that CMakeLists.txt accepts
 set(public
-  core/terms/extensions.hpp          # forces, fields, laws and shapes with keys in scenes
+  core/terms/extensions.hpp           # forces, fields, laws and shapes with keys in scenes
   core/fluid/terms/extension_pair_force_term.hpp
   core/simd/choose.hpp
   core/solid/laws/extension_law_lanes.hpp

@@ -160,9 +160,8 @@ void searchNeighbours(World& w, StepTools& t, Part part, double elapsed) {
       packRecords(x, p, rows.begin, rows.end, t.sums.records);
     searchInner(w, t.sums, t.times);
   } else {
-    if (p.ghosts > t.sums.ghostRoom) {  // more ghosts than ever: the padding of the inner lists points to
-                                        // rows
-                                        // that are now ghosts
+    if (p.ghosts > t.sums.ghostRoom) {
+      // More ghosts than ever: the padding of the inner lists points to rows of ghosts now.
       t.sums.ghostRoom = p.ghosts + p.ghosts / 8;
       resizeRecords(x, p.owned + t.sums.ghostRoom, t.sums.records);
       searchInner(w, t.sums, t.times);  // the sums of inner particles are done
@@ -196,14 +195,12 @@ void sumForces(World& w, StepTools& t, NeighbourPass pass, GroupRange range) {
   Continuum& p = w.particles;
   const RecordContext x = recordContext(w, t.liquids);
   const bool inner = pass == NeighbourPass::InnerForces;
+  const std::size_t begin = inner ? 0 : p.owned, end = inner ? p.owned : p.size();  // rows to pack
   if (w.modules.fluid && !w.modules.incompressible) {  // else the pressure is computed at the end of the step
-    pass == NeighbourPass::InnerForces ? packPressure(x, p, 0, p.owned, t.sums.records)
-                                       : packPressure(x, p, p.owned, p.size(), t.sums.records);
+    packPressure(x, p, begin, end, t.sums.records);
     w.compressionKnown = !w.modules.uniform;
   }
-  if (w.modules.flowLaw)
-    pass == NeighbourPass::InnerForces ? packApparentViscosity(x, p, 0, p.owned, t.sums.records)
-                                       : packApparentViscosity(x, p, p.owned, p.size(), t.sums.records);
+  if (w.modules.flowLaw) packApparentViscosity(x, p, begin, end, t.sums.records);
   const PairSums s = pairSumsOf(w, t.sums);
   PairSums particleForces = s, positionForces = s;
   if (p.positionForce.active) positionForces.force = p.positionForce.data();
@@ -212,13 +209,11 @@ void sumForces(World& w, StepTools& t, NeighbourPass pass, GroupRange range) {
                                            // step
   if (w.modules.fluid || w.modules.heat) t.sums.kernels->forces(particleForces, range);
   if (w.modules.contactConductance) {
-    packContactFaces(w.scene, p, inner ? 0 : p.owned, inner ? p.owned : p.size(), t.heat.contact);
+    packContactFaces(w.scene, p, begin, end, t.heat.contact);
     addContactHeat(s, t.heat.contact, range);  // corrects the heat of contacts
   }
   for (const PairSweep* sweep : t.terms.sweeps) {
-    if (sweep->pack)
-      inner ? sweep->pack(x, p, 0, p.owned, t.sums.records)
-            : sweep->pack(x, p, p.owned, p.size(), t.sums.records);
+    if (sweep->pack) sweep->pack(x, p, begin, end, t.sums.records);
     (t.sums.kernels->*sweep->sum)(sweep->onto == PairTarget::PositionForce   ? positionForces
                                   : sweep->onto == PairTarget::ExplicitForce ? particleForces
                                                                              : s,
@@ -226,10 +221,10 @@ void sumForces(World& w, StepTools& t, NeighbourPass pass, GroupRange range) {
   }
   if (w.modules.surfaceHeat) findExposedAreas(s, w.scene.numerics, p.exposedArea.data(), range);
   if (w.modules.contact) {
-    if (pass == NeighbourPass::InnerForces) t.contact.closePairs.list.clear();
+    if (inner) t.contact.closePairs.list.clear();
     t.sums.kernels->closePairs(s, range, t.contact.closePairs);
   }
-  if (pass == NeighbourPass::BoundaryForces && p.drag.active)
+  if (!inner && p.drag.active)
     for (std::size_t i = 0; i < p.owned; i++) p.force[i] += p.drag[i];
   t.times.lap(StepPhase::Forces);
 }

@@ -16,8 +16,8 @@ struct SlotPieces : Table {
 
 /// Chooses the active groups of slots: those with a slot, or a bond to a slot, that is not passive.
 /// ElasticWork::held becomes 1 for passive slots, which get zero flux, hourglass stiffness and force. Slots
-/// that cease to be passive get their Solids::deformation. Requires: pieces and Solids::position of owned and
-/// remote rows, and bond data of the present bonds.
+/// no longer passive get their Solids::deformation. Requires: pieces and Solids::position of owned and remote
+/// rows, and bond data of the present bonds.
 void chooseActiveSlots(ElasticWork& work, Solids& solids, const Bonds& bonds, const SlotPieces& pieces);
 
 /// Discards the choice, since bonds or pieces changed.
