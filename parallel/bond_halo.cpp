@@ -33,7 +33,7 @@ bool MpiBondHalo::rebuildBonds(const BondedRows& p, Solids& s, Bonds& b, const B
   if (!p.active) return false;
   const SolidTables tables{p, s, b};
   const bool alone = comm_.size() == 1;
-  unslotted_.clear();
+  withoutIndex_.clear();
   removed_.clear();
   meltedArrivals_.clear();
   fresh_.clear();
@@ -47,9 +47,9 @@ bool MpiBondHalo::rebuildBonds(const BondedRows& p, Solids& s, Bonds& b, const B
     graph_.begin();
     if (b.broken) graph_.dropBroken(tables);
     if (particlesChanged) {
-      findUnslotted(p, s, unslotted_);
+      findWithoutIndex(p, s, withoutIndex_);
       listPendingRecords(s);
-      leaveSlots(s, b);
+      leaveSolids(s, b);
     }
     matchRecords(p);
     bool membership = !removed_.empty() || !meltedArrivals_.empty();
@@ -66,7 +66,7 @@ bool MpiBondHalo::rebuildBonds(const BondedRows& p, Solids& s, Bonds& b, const B
     if (moved_ && (flags & Membership)) checkMoves(s, work);
     else if (flags & Unknown) queryOwners(unknown);
   }
-  makeSlots(tables, work);
+  makeSolids(tables, work);
   graph_.finish(tables);
   if (!alone) links_.renew(comm_, graph_);
   departures_.clear();
@@ -86,7 +86,7 @@ void MpiBondHalo::sendChanges(const BondedRows& p) {
     w.push_back(owner);
   };
   // A particle that melts and freezes at once is removed from the directory before it is written again.
-  for (const std::uint32_t slot : removed_) setOwner(graph_.idOf(slot), SolidDirectory::noOwner);
+  for (const std::uint32_t solidIndex : removed_) setOwner(graph_.idOf(solidIndex), SolidDirectory::noOwner);
   for (const std::uint64_t id : meltedArrivals_) setOwner(id, SolidDirectory::noOwner);
   links_.announceRemovals(graph_, removed_, updates);
   for (std::size_t i = 0; i < fresh_.size(); i++)
@@ -108,7 +108,7 @@ std::vector<std::uint64_t> MpiBondHalo::unknownIds(const Solids& s, const BondUp
   }
   const auto listUnknown = [&](const auto& asked) {
     for (const auto& q : asked)
-      if ((q.other == noSlot || graph_.leaves(q.other)) && graph_.rowOf(q.neighbourId) == noRow)
+      if ((q.other == noSolid || graph_.leaves(q.other)) && graph_.rowOf(q.neighbourId) == noRow)
         ids.push_back(q.neighbourId);
   };
   listUnknown(work.requests);
@@ -145,13 +145,13 @@ void MpiBondHalo::queryOwners(const std::vector<std::uint64_t>& ids) {
 // announced in the migration may be outdated.
 void MpiBondHalo::checkMoves(const Solids& s, const BondUpdate& work) {
   std::vector<std::uint64_t> ids = unknownIds(s, work, true);
-  for (const Departure& d : departures_) ids.push_back(graph_.idOf(d.slot));
+  for (const Departure& d : departures_) ids.push_back(graph_.idOf(d.solidIndex));
   for (const std::uint32_t row : movedRows_) ids.push_back(graph_.idOf(row));
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   queryOwners(ids);
   for (const Departure& d : departures_)
-    if (ownerOf(graph_.idOf(d.slot)) < 0) graph_.setOwner(d.slot, -1);
+    if (ownerOf(graph_.idOf(d.solidIndex)) < 0) graph_.setOwner(d.solidIndex, -1);
   for (const std::uint32_t row : movedRows_)
     if (ownerOf(graph_.idOf(row)) < 0 && graph_.rowOf(graph_.idOf(row)) == row) graph_.removeRemote(row);
 }
@@ -164,7 +164,7 @@ int MpiBondHalo::ownerOf(std::uint64_t id) const {
   return owner == SolidDirectory::noOwner ? -1 : static_cast<int>(owner);
 }
 
-void MpiBondHalo::makeSlots(const SolidTables& t, const BondUpdate& work) {
+void MpiBondHalo::makeSolids(const SolidTables& t, const BondUpdate& work) {
   SolidRecordView view;
   std::size_t most = 0;
   for (std::size_t i = 0; i < fresh_.size(); i++) {
@@ -196,9 +196,9 @@ void MpiBondHalo::makeSlots(const SolidTables& t, const BondUpdate& work) {
     }
   }
   const auto ownerOfEnd = [&](const auto& q) {
-    return q.other != noSlot && !graph_.leaves(q.other) ? comm_.rank() : ownerOf(q.neighbourId);
+    return q.other != noSolid && !graph_.leaves(q.other) ? comm_.rank() : ownerOf(q.neighbourId);
   };
-  for (const BondRequest& q : work.requests) graph_.bond(t, q.slot, bondOf(q), ownerOfEnd(q), q.other);
+  for (const BondRequest& q : work.requests) graph_.bond(t, q.solidIndex, bondOf(q), ownerOfEnd(q), q.other);
   graph_.bond(t, work.pairs, ownerOfEnd);
 }
 

@@ -17,7 +17,7 @@ class MpiBondHalo : public BondHalo {
  public:
   explicit MpiBondHalo(const Communicator& comm) : comm_(comm), graph_(comm.rank()) {}
 
-  /// Throws std::logic_error if the slots of the last migration were not yet created by a bond update.
+  /// Throws std::logic_error if the solids of the last migration were not yet created by a bond update.
   void migrate(const BondedRows& particles, Solids& solids, Bonds& bonds,
                const Migration& migration) override;
   bool rebuildBonds(const BondedRows& particles, Solids& solids, Bonds& bonds,
@@ -25,9 +25,9 @@ class MpiBondHalo : public BondHalo {
   void begin(Solids& solids, std::span<AnyColumn* const> columns) override;
   void finish(Solids& solids) override;
 
-  /// Adopts records (SolidRecords::bytes) of owned particles without a slot, read from a checkpoint on any
-  /// rank. If the particle migrates first, its record follows. The next bond update creates the slots;
-  /// records of other particles are discarded.
+  /// Adopts records (SolidRecords::bytes) of owned particles without a row in Solids, read from a checkpoint
+  /// on any rank. If the particle migrates first, its record follows. The next bond update creates the
+  /// solids; records of other particles are discarded.
   void adopt(std::vector<std::byte> records);
   const BondGraph& graph() const { return graph_; }
 
@@ -45,7 +45,7 @@ class MpiBondHalo : public BondHalo {
     std::size_t waiting, at, end, owner;
   };
   struct Departure {
-    std::uint32_t slot;
+    std::uint32_t solidIndex;
     int to;
   };
 
@@ -57,8 +57,8 @@ class MpiBondHalo : public BondHalo {
   void sendRecords(const BondedRows& particles, const Solids& solids, const Bonds& bonds,
                    const Migration& migration);
   void applyUpdates(const std::vector<Message>& in, bool edit);
-  void leaveSlots(const Solids& solids, const Bonds& bonds);
-  void makeSlots(const SolidTables& tables, const BondUpdate& work);
+  void leaveSolids(const Solids& solids, const Bonds& bonds);
+  void makeSolids(const SolidTables& tables, const BondUpdate& work);
   void matchRecords(const BondedRows& particles);
   void sendChanges(const BondedRows& particles);
   std::vector<std::uint64_t> unknownIds(const Solids& solids, const BondUpdate& work, bool all);
@@ -73,13 +73,13 @@ class MpiBondHalo : public BondHalo {
   std::vector<PendingRecords> pendingRecords_;
   std::vector<Found> found_;                   // ascending by id
   std::vector<Departure> departures_;          // until the next bond update
-  std::vector<std::uint32_t> unslotted_;       // rows of particles that get a slot
-  std::vector<std::uint32_t> removed_;         // slots
+  std::vector<std::uint32_t> withoutIndex_;    // rows of particles that get a row in Solids
+  std::vector<std::uint32_t> removed_;         // solids
   std::vector<std::uint64_t> meltedArrivals_;  // ids of particles that arrived but are no longer solid
   std::vector<std::uint32_t> movedRows_;       // remote rows whose particle has migrated since the last bond
                                                // update
-  std::vector<NewSlot> fresh_;
-  std::vector<const Found*> recordOf_;  // record of each fresh slot; nullptr: the particle just became solid
+  std::vector<NewSolid> fresh_;
+  std::vector<const Found*> recordOf_;  // record of each fresh solid; nullptr: the particle just became solid
   std::vector<std::uint64_t> queriedIds_;  // ascending
   std::vector<std::uint64_t> queriedOwners_;
   bool moved_ = false;         // solid particles migrated on some rank since the last bond update

@@ -91,9 +91,9 @@ void BondLinks::announceDepartures(const BondGraph& graph, int rank, WordMessage
     }
 }
 
-void BondLinks::announceRemovals(const BondGraph& graph, std::span<const std::uint32_t> slots,
+void BondLinks::announceRemovals(const BondGraph& graph, std::span<const std::uint32_t> solidIndices,
                                  WordMessages& out) const {
-  for (const std::uint32_t s : slots)
+  for (const std::uint32_t s : solidIndices)
     for (const Partner& p : partners_) {
       if (!holds(p.sends, graph.idOf(s))) continue;
       std::vector<std::uint64_t>& w = out.to(p.rank);
@@ -158,10 +158,10 @@ void BondLinks::renew(const Communicator& comm, const BondGraph& graph) {
     std::erase_if(p.sends, [&](const Link& l) { return std::binary_search(first, ask, l.id); });
     fresh.clear();
     for (auto id = ask; id != w.end(); ++id) {
-      const std::uint32_t slot = graph.rowOf(*id);
-      if (slot == noRow || graph.isRemote(slot))
+      const std::uint32_t solidIndex = graph.rowOf(*id);
+      if (solidIndex == noRow || graph.isRemote(solidIndex))
         throw std::logic_error("another rank requested a solid particle that this rank does not own");
-      fresh.push_back({*id, slot});
+      fresh.push_back({*id, solidIndex});
     }
     add(p.sends, fresh);
   }

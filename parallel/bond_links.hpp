@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exchange lists along bonds: slots that this rank sends, and remote rows that it receives, by partner rank.
+// Exchange lists along bonds: solids that this rank sends, and remote rows that it receives, by partner rank.
 // Both ends have the same order, by id.
 #pragma once
 #include <cstdint>
@@ -14,11 +14,11 @@ namespace thaw {
 
 class BondLinks {
  public:
-  /// Announces (id, new owner) to the holders of copies, for every copied slot whose owner in the graph is
+  /// Announces (id, new owner) to the holders of copies, for every copied solid whose owner in the graph is
   /// another rank.
   void announceDepartures(const BondGraph& graph, int rank, WordMessages& out) const;
-  /// Announces (id, noOwner) to the ranks with copies of these slots.
-  void announceRemovals(const BondGraph& graph, std::span<const std::uint32_t> slots,
+  /// Announces (id, noOwner) to the ranks with copies of these solids.
+  void announceRemovals(const BondGraph& graph, std::span<const std::uint32_t> solidIndices,
                         WordMessages& out) const;
 
   /// Updates the lists after an edit of the graph: applies the renumbering, releases unused rows and

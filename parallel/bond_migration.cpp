@@ -35,7 +35,7 @@ void MpiBondHalo::migrate(const BondedRows& p, Solids& s, Bonds& b, const Migrat
   if (!p.active) return;
   if (moved_) throw std::logic_error("solid particles migrate twice without a rebuild of bonds in between");
   for (std::size_t i = p.owned - m.arrivals; i < p.owned; i++) {
-    p.slot[i] = noSlot;
+    p.solidIndex[i] = noSolid;
     solidArrived_ = solidArrived_ || !p.unbonded(i);  // it may have frozen before it migrated, which no rank
                                                       // checks otherwise
   }
@@ -44,8 +44,8 @@ void MpiBondHalo::migrate(const BondedRows& p, Solids& s, Bonds& b, const Migrat
   for (std::size_t k = 0; k < m.departed.size(); k++) {
     if (m.departedTo[k] < 0) continue;        // left the domain: rebuildBonds detects it
     if (p.unbonded(m.departed[k])) continue;  // melted before it migrated: rebuildBonds detects it
-    const std::uint32_t slot = p.slot[m.departed[k]];
-    if (slot != noSlot) departures_.push_back({slot, m.departedTo[k]});
+    const std::uint32_t solidIndex = p.solidIndex[m.departed[k]];
+    if (solidIndex != noSolid) departures_.push_back({solidIndex, m.departedTo[k]});
     else any = any || !pendingRecords_.empty();
   }
   any = any || !departures_.empty();
@@ -59,11 +59,11 @@ void MpiBondHalo::migrate(const BondedRows& p, Solids& s, Bonds& b, const Migrat
 // Sends the new owner to ranks with copies and to the directory. This comes before the records, so that
 // records contain the final owners of the other ends of bonds.
 void MpiBondHalo::sendDepartures() {
-  for (const Departure& d : departures_) graph_.setOwner(d.slot, d.to);
+  for (const Departure& d : departures_) graph_.setOwner(d.solidIndex, d.to);
   WordMessages updates;
   for (const Departure& d : departures_) {
-    std::vector<std::uint64_t>& w = updates.to(directoryRank(graph_.idOf(d.slot), comm_.size()));
-    w.push_back(graph_.idOf(d.slot));
+    std::vector<std::uint64_t>& w = updates.to(directoryRank(graph_.idOf(d.solidIndex), comm_.size()));
+    w.push_back(graph_.idOf(d.solidIndex));
     w.push_back(static_cast<std::uint64_t>(d.to));
   }
   links_.announceDepartures(graph_, comm_.rank(), updates);
@@ -103,14 +103,14 @@ void MpiBondHalo::sendRecords(const BondedRows& p, const Solids& s, const Bonds&
   };
   for (const Departure& d : departures_) {
     Parcel& x = parcelTo(d.to, false);
-    appendRecord(s, b, d.slot, x.records);
+    appendRecord(s, b, d.solidIndex, x.records);
     for (int k = 0; k < b.capacity; k++)
-      if (b.hasBond(d.slot, k)) x.owners.push_back(graph_.ownerOf(b.neighbour[b.at(d.slot, k)]));
+      if (b.hasBond(d.solidIndex, k)) x.owners.push_back(graph_.ownerOf(b.neighbour[b.at(d.solidIndex, k)]));
   }
   if (!pendingRecords_.empty()) {
     listPendingRecords(s);
     for (std::size_t k = 0; k < m.departed.size(); k++) {
-      if (m.departedTo[k] < 0 || p.slot[m.departed[k]] != noSlot) continue;
+      if (m.departedTo[k] < 0 || p.solidIndex[m.departed[k]] != noSolid) continue;
       const Found* f = findPendingRecord(p.id[m.departed[k]]);
       if (!f) continue;
       std::vector<std::byte>& bytes = parcelTo(m.departedTo[k], true).records.bytes;
@@ -145,20 +145,20 @@ void MpiBondHalo::sendRecords(const BondedRows& p, const Solids& s, const Bonds&
 }
 
 // Begins the edit of the graph: departures and removals.
-void MpiBondHalo::leaveSlots(const Solids& s, const Bonds& b) {
-  for (const Departure& d : departures_) graph_.depart(b, d.slot);
+void MpiBondHalo::leaveSolids(const Solids& s, const Bonds& b) {
+  for (const Departure& d : departures_) graph_.depart(b, d.solidIndex);
   removed_.clear();
-  for (std::uint32_t slot = 0; slot < s.owned; slot++)
-    if (s.particle[slot] == noParticle && !graph_.leaves(slot)) removed_.push_back(slot);
-  for (const std::uint32_t slot : removed_) graph_.remove(b, slot);
+  for (std::uint32_t solidIndex = 0; solidIndex < s.owned; solidIndex++)
+    if (s.particle[solidIndex] == noParticle && !graph_.leaves(solidIndex)) removed_.push_back(solidIndex);
+  for (const std::uint32_t solidIndex : removed_) graph_.remove(b, solidIndex);
 }
 
-// Matches particles without a slot with the records that arrived for them.
+// Matches particles without a row in Solids with the records that arrived for them.
 void MpiBondHalo::matchRecords(const BondedRows& p) {
   std::vector<std::uint8_t> used(found_.size(), 0);
-  recordOf_.reserve(unslotted_.size());
-  fresh_.reserve(unslotted_.size());
-  for (const std::uint32_t row : unslotted_) {
+  recordOf_.reserve(withoutIndex_.size());
+  fresh_.reserve(withoutIndex_.size());
+  for (const std::uint32_t row : withoutIndex_) {
     const Found* f = findPendingRecord(p.id[row]);
     if (f) used[static_cast<std::size_t>(f - found_.data())] = 1;
     recordOf_.push_back(f);

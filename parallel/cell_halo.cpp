@@ -110,9 +110,9 @@ Migration MpiCellHalo::migrate(Table& p, std::span<const std::uint64_t> keys) {
     std::size_t row = before;
     for (const Message& x : receiveBuffer_.messages())
       for (std::size_t at = 0; at < x.bytes.size(); at += bytes) p.unpackState(row++, x.bytes.data() + at);
-    // A slot is an index into tables of the old owner.
-    if (AnyColumn* slot = p.find("slot"); slot != nullptr && slot->active)
-      std::fill_n(reinterpret_cast<std::uint32_t*>(slot->bytes.data()) + before, m.arrivals, noSlot);
+    // A solid is an index into tables of the old owner.
+    if (AnyColumn* solidIndex = p.find("solid_index"); solidIndex != nullptr && solidIndex->active)
+      std::fill_n(reinterpret_cast<std::uint32_t*>(solidIndex->bytes.data()) + before, m.arrivals, noSolid);
   }
   if (newPartition_) {  // later migrations are smaller
     movers_ = {};

@@ -91,7 +91,7 @@ double copySpeed(const Communicator& comm) {
 }
 
 /// Minimum number of bytes that a step moves. Neighbour lists and pair records are written once and read
-/// twice, bonds are read twice, particles and slots are read and written.
+/// twice, bonds are read twice, particles and solids are read and written.
 double bytesMoved(const Rig& rig) {
   double sum = 0;
   for (const MemoryUse& u : memoryOf(rig.w, rig.tools)) {

@@ -47,14 +47,14 @@ bool canTouch(const Continuum& p, std::uint32_t i, std::uint32_t j) {
 
 bool hasBondTo(const Solids& solids, const Bonds& bonds, const Continuum& p, std::uint32_t i,
                std::uint32_t j) {
-  const std::uint32_t slot = p.slot[i];
-  if (slot == noSlot) return false;
-  const bool here = j < p.owned;  // then bonds refer to its slot, and no id is read
-  const std::uint32_t other = here ? p.slot[j] : noSlot;
-  if (here && other == noSlot) return false;
+  const std::uint32_t solidIndex = p.solidIndex[i];
+  if (solidIndex == noSolid) return false;
+  const bool here = j < p.owned;  // then bonds refer to its row in Solids, and no id is read
+  const std::uint32_t other = here ? p.solidIndex[j] : noSolid;
+  if (here && other == noSolid) return false;
   for (int k = 0; k < bonds.capacity; k++) {
-    const std::uint32_t n = bonds.neighbour[bonds.at(slot, k)];
-    if ((here ? n == other : solids.id[n] == p.id[j]) && bonds.hasBond(slot, k)) return true;
+    const std::uint32_t n = bonds.neighbour[bonds.at(solidIndex, k)];
+    if ((here ? n == other : solids.id[n] == p.id[j]) && bonds.hasBond(solidIndex, k)) return true;
   }
   return false;
 }

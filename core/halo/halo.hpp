@@ -40,7 +40,7 @@ class CellHalo {
   /// Sends particles in cells of other ranks to these ranks. keys[row]: cell key of each owned row, or
   /// noCell. Collective. Ensures: ghosts are dropped, arrivals appended (particles.owned grows), departed
   /// rows listed and still in place. Arrivals have their State columns; Local and Transient columns are zero
-  /// (slot: noSlot), so the caller computes their cell keys before the sort.
+  /// (solidIndex: noSolid), so the caller computes their cell keys before the sort.
   virtual Migration migrate(Table& particles, std::span<const std::uint64_t> keys) = 0;
 
   /// Copies all particles in the cells that touch this rank's cells, periodic images included. Requires:
@@ -77,54 +77,55 @@ class CellHalo {
 /// solid. It holds raw pointers, so it is made for each call: a reorder moves the columns.
 struct BondedRows {
   std::size_t owned = 0;
-  bool active = false;  ///< the table has slots
+  bool active = false;  ///< the table has solid indices
   const std::uint64_t* id = nullptr;
-  std::uint32_t* slot = nullptr;
+  std::uint32_t* solidIndex = nullptr;
   const std::uint16_t* material = nullptr;  ///< copied to Solids::material
   const std::uint8_t* phase = nullptr;      ///< null: all rows are solid
   const std::uint64_t* piece = nullptr;     ///< null: no row belongs to a rigid piece, which has no bonds
   BondedRows(Continuum& p)
       : owned(p.owned),
-        active(p.slot.active),
+        active(p.solidIndex.active),
         id(p.id.data()),
-        slot(p.slot.data()),
+        solidIndex(p.solidIndex.data()),
         material(p.material.data()),
         phase(p.phase.data()),
         piece(p.piece.active ? p.piece.data() : nullptr) {}
-  BondedRows(std::size_t owned, const std::uint64_t* id, std::uint32_t* slot, const std::uint16_t* material)
-      : owned(owned), active(true), id(id), slot(slot), material(material) {}
+  BondedRows(std::size_t owned, const std::uint64_t* id, std::uint32_t* solidIndex,
+             const std::uint16_t* material)
+      : owned(owned), active(true), id(id), solidIndex(solidIndex), material(material) {}
   /// Returns true if a row has no bonds: a liquid particle, or one of a rigid piece.
   bool unbonded(std::size_t i) const {
     return (phase && phase[i] == Liquid) || (piece && piece[i] != notRigid);
   }
 };
 
-/// A bond to make from an owned slot to the solid particle with this id on any rank.
+/// A bond to make from an owned solid to the solid particle with this id on any rank.
 struct BondRequest {
-  std::uint32_t slot;
+  std::uint32_t solidIndex;
   std::uint64_t neighbourId;
   Vec3d reference;  ///< X_ij, m, in this end's frame
   Vec3d reverse;    ///< X_ji, m, in the other end's frame (-X_ij unless the frames differ)
   double weight;
-  std::uint32_t other = noSlot;  ///< slot of the other end if it is owned here and known to the caller; saves
-                                 ///< the look-up
+  std::uint32_t other = noSolid;  ///< index of the other end if it is owned here and known to the caller;
+                                  ///< saves the look-up
 };
 
 /// A bond to make where bonds have no vectors (Bonds::vectors). A scene makes all its bonds at once, and this
 /// takes a fifth of the bytes.
 struct BondPair {
   std::uint64_t neighbourId;
-  std::uint32_t slot, other = noSlot;
+  std::uint32_t solidIndex, other = noSolid;
 };
 
 /// Work of a bond update beyond the changes visible in the tables.
 struct BondUpdate {
-  std::span<const BondRequest> requests;  ///< bonds to make, appended to their slots in this order
-  bool changedHere = false;  ///< on this rank, a particle's phase changed or a particle with a slot left the
+  std::span<const BondRequest> requests;  ///< bonds to make, appended to those of their solids in this order
+  bool changedHere = false;  ///< on this rank, a particle's phase changed or a solid particle left the
                              ///< domain
   std::span<const BondPair> pairs = {};  ///< further bonds, appended behind the requests; only if bonds have
                                          ///< no vectors
-  int mostToCome = 0;             ///< upper bound of bonds per slot after all parts of a start; 0: unknown
+  int mostToCome = 0;             ///< upper bound of bonds per solid after all parts of a start; 0: unknown
   std::size_t remotesToCome = 0;  ///< upper bound of remote rows of all parts of a start; 0: unknown
 
   bool asks() const { return !requests.empty() || !pairs.empty(); }
@@ -136,19 +137,19 @@ class BondHalo {
  public:
   virtual ~BondHalo() = default;
 
-  /// Sends the slots and bonds of departed particles to their new ranks. Requires: called after
+  /// Sends the rows of solids and the bonds of departed particles to their new ranks. Requires: called after
   /// CellHalo::migrate and before particles are reordered. The tables change at the next bond update.
   /// Collective.
   virtual void migrate(const BondedRows& particles, Solids& solids, Bonds& bonds,
                        const Migration& migration) = 0;
 
-  /// Updates the table of solids to match the particles. Solid owned particles without a slot get one, with
-  /// the bonds from their former rank, else none. Slots of liquid or departed particles are removed with all
+  /// Updates the table of solids to match the particles. Solid owned particles without a row get one, with
+  /// the bonds from their former rank, else none. Solids of liquid or departed particles are removed with all
   /// bonds to them on every rank. Requests become bonds, unless the neighbour is no longer solid. Remote rows
-  /// are renewed and rows renumbered; BondedRows::slot and Solids::particle follow. Newly solid particles
-  /// have volume 0, which the caller sets. Remote rows then have their id only. Requires: sorted particles
-  /// without departed rows, whose phase changed at most once since the last bond update. Collective. Returns
-  /// false at once if nothing changed on any rank.
+  /// are renewed and rows renumbered; BondedRows::solidIndex and Solids::particle follow. Newly solid
+  /// particles have volume 0, which the caller sets. Remote rows then have their id only. Requires: sorted
+  /// particles without departed rows, whose phase changed at most once since the last bond update.
+  /// Collective. Returns false at once if nothing changed on any rank.
   virtual bool rebuildBonds(const BondedRows& particles, Solids& solids, Bonds& bonds,
                             const BondUpdate& work) = 0;
 
@@ -157,10 +158,11 @@ class BondHalo {
   virtual void finish(Solids& solids) = 0;
 };
 
-/// Sets Solids::particle of owned slots from the rows' slots. Call it after every sort.
-inline void linkSlots(const BondedRows& particles, Solids& solids) {
+/// Sets Solids::particle of owned solids from BondedRows::solidIndex. Call it after every sort.
+inline void linkSolids(const BondedRows& particles, Solids& solids) {
   for (std::size_t i = 0; i < particles.owned; i++)
-    if (particles.slot[i] != noSlot) solids.particle[particles.slot[i]] = static_cast<std::uint32_t>(i);
+    if (particles.solidIndex[i] != noSolid)
+      solids.particle[particles.solidIndex[i]] = static_cast<std::uint32_t>(i);
 }
 
 }  // namespace thaw

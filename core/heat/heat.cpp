@@ -158,7 +158,7 @@ PhaseChanges changePhase(const Scene& scene, Continuum& p, Counters& counters) {
     const double f = static_cast<double>(p.liquid[i]);
     if (p.phase[i] == Solid && f >= 1 - m.hysteresis) {
       p.phase[i] = Liquid;
-      if (p.clamped.active && p.clamped[i] == held) p.clamped[i] = 0;
+      if (p.clamped.active && p.clamped[i] == fixedInPlace) p.clamped[i] = 0;
       counters.melted++;
       changes.melted = true;
     } else if (p.phase[i] == Liquid && f <= m.hysteresis && f < 1 - m.hysteresis) {

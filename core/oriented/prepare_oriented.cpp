@@ -8,7 +8,7 @@
 #include "core/geometry/basic/shape_error.hpp"
 #include "core/geometry/sampling/sampling.hpp"
 #include "core/geometry/trees/point_tree.hpp"
-#include "core/oriented/forces/anchors.hpp"
+#include "core/oriented/forces/constraints.hpp"
 #include "core/oriented/forces/fields.hpp"
 #include "core/oriented/sampling/sample_points.hpp"
 
@@ -63,7 +63,7 @@ void activateOriented(Oriented& o, const Scene& scene, const Modules& modules) {
   activateBodyType(o);
   for (AnyColumn* c : std::initializer_list<AnyColumn*>{
            &o.orientation, &o.spin, &o.inertia, &o.force, &o.torque, &o.group, &o.cutSides, &o.flags,
-           &o.anchor, &o.restPosition, &o.restOrientation, &o.normal, &o.stiffness})
+           &o.constraint, &o.restPosition, &o.restOrientation, &o.normal, &o.stiffness})
     o.activate(*c);
   bool changes = false;
   for (const OrientedBody& b : scene.oriented)
@@ -123,17 +123,17 @@ void warnOfNotes(const SourcePlace& where, const std::string& whose, const std::
   for (const std::string& note : notes) warnings.push_back({where, whose + ": " + note});
 }
 
-/// Anchors of a body. The first one that contains a particle holds it.
-struct AnchorRegions {
+/// Constraints of a body. The first one that contains a particle holds it.
+struct ConstraintRegions {
   const OrientedBody& body;
   std::vector<std::shared_ptr<const SignedDistance>> shapes;  ///< null where the shape has a problem
   std::vector<std::size_t> count;                             ///< particles inside, on all ranks
 
-  AnchorRegions(const OrientedBody& b, const MeshLoader& load, SceneProblems& problems,
-                std::vector<SceneWarning>& warnings)
-      : body(b), count(b.anchors.size(), 0) {
-    for (const OrientedAnchor& a : body.anchors) {
-      const std::string whose = "oriented body '" + body.name + "': an anchor";
+  ConstraintRegions(const OrientedBody& b, const MeshLoader& load, SceneProblems& problems,
+                    std::vector<SceneWarning>& warnings)
+      : body(b), count(b.constraints.size(), 0) {
+    for (const OrientedConstraint& a : body.constraints) {
+      const std::string whose = "oriented body '" + body.name + "': a constraint";
       shapes.push_back(makeSignedDistance(a.region, load, whose, problems));
       std::vector<std::string> notes;
       if (shapes.back()) shapes.back()->addNotes(notes);
@@ -141,22 +141,24 @@ struct AnchorRegions {
     }
   }
 
-  /// Returns the number of the anchor at x, or noAnchor. Counts x for each anchor that contains it.
+  /// Returns the number of the constraint at x, or noConstraint. Counts x for each constraint that contains
+  /// it.
   std::uint16_t at(const Vec3d& x) {
-    std::uint16_t anchor = noAnchor;
+    std::uint16_t constraint = noConstraint;
     for (std::size_t a = shapes.size(); a-- > 0;)
       if (shapes[a] && shapes[a]->inside(x)) {
         count[a]++;
-        anchor = static_cast<std::uint16_t>(a);
+        constraint = static_cast<std::uint16_t>(a);
       }
-    return anchor;
+    return constraint;
   }
 
   void refuseEmpty(SceneProblems& problems) const {
     for (std::size_t a = 0; a < count.size(); a++)
       if (shapes[a] && count[a] == 0)
-        problems.add(body.anchors[a].where, "oriented body '" + body.name +
-                                                "': no particle lies in this anchor; expected at least one");
+        problems.add(
+            body.constraints[a].where,
+            "oriented body '" + body.name + "': no particle lies in this constraint; expected at least one");
   }
 };
 
@@ -165,7 +167,7 @@ struct SampledParticle {
   std::size_t number;  ///< in its body
   Vec3d position, normal;
   std::uint8_t flags;
-  std::uint16_t anchor;
+  std::uint16_t constraint;
 };
 
 /// Appends a row for a particle of body b. Particles without constraints are jittered.
@@ -190,20 +192,21 @@ void addSampledRow(Oriented& o, const Scene& scene, std::size_t b, const Sampled
   o.body[i] = static_cast<std::uint16_t>(b);
   o.group[i] = static_cast<std::uint32_t>(b);
   o.flags[i] = p.flags;
-  o.anchor[i] = p.anchor;
+  o.constraint[i] = p.constraint;
 }
 
-/// Returns all particles of a body, with the constraints of its points and anchors.
-std::vector<SampledParticle> particlesOf(const SampledPoints& sampled, AnchorRegions& anchors) {
+/// Returns all particles of a body, with the constraints of its points and constraints.
+std::vector<SampledParticle> particlesOf(const SampledPoints& sampled, ConstraintRegions& constraints) {
   std::vector<SampledParticle> particles;
   for (std::size_t k = 0; k < sampled.places.size(); k++) {
     const Vec3d x = sampled.places[k];
-    const std::uint16_t anchor = anchors.at(x);
-    std::uint8_t flags = sampled.held[k];
-    if (anchor != noAnchor)
-      flags = static_cast<std::uint8_t>((anchors.body.anchors[anchor].position ? fixedPosition : 0) |
-                                        (anchors.body.anchors[anchor].normal ? fixedOrientation : 0));
-    particles.push_back({k, x, sampled.normals[k], flags, anchor});
+    const std::uint16_t constraint = constraints.at(x);
+    std::uint8_t flags = sampled.flags[k];
+    if (constraint != noConstraint)
+      flags = static_cast<std::uint8_t>(
+          (constraints.body.constraints[constraint].position ? fixedPosition : 0) |
+          (constraints.body.constraints[constraint].normal ? fixedOrientation : 0));
+    particles.push_back({k, x, sampled.normals[k], flags, constraint});
   }
   return particles;
 }
@@ -232,10 +235,10 @@ std::vector<std::vector<Vec3d>> sampleOriented(Oriented& o, const Scene& scene, 
     if (!tryToSample(scene, b, load, sampled, problems)) continue;
     places[b] = sampled.places;
     warnOfNotes(body.where, "oriented body '" + body.name + "'", sampled.notes, warnings);
-    AnchorRegions anchors(body, load, problems, warnings);
-    for (const SampledParticle& p : particlesOf(sampled, anchors))
+    ConstraintRegions constraints(body, load, problems, warnings);
+    for (const SampledParticle& p : particlesOf(sampled, constraints))
       if (p.number % ranks == rank) addSampledRow(o, scene, b, p);
-    anchors.refuseEmpty(problems);
+    constraints.refuseEmpty(problems);
     refuseOutside(scene.domain, body, places[b], problems);
   }
   if (scene.numerics.overlap != OverlapRule::Keep) refuseSharedPositions(scene, places, problems);

@@ -16,7 +16,7 @@ void activateOriented(Oriented& rows, const Scene& scene, const Modules& modules
 /// Throws ShapeError.
 void prepareOriented(Scene& scene, OrientedWork& work, const MeshLoader& load);
 
-/// Appends this rank's particles with their anchors, and repairs of meshes to `warnings`. Returns the
+/// Appends this rank's particles with their constraints, and repairs of meshes to `warnings`. Returns the
 /// positions of all particles of each body, the same on all ranks. Throws ShapeError. Collective.
 std::vector<std::vector<Vec3d>> sampleOriented(Oriented& rows, const Scene& scene, Halos halos,
                                                const MeshLoader& load, std::vector<SceneWarning>& warnings);

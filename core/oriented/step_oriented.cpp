@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/domain/sides.hpp"
-#include "core/oriented/forces/anchor_work.hpp"
-#include "core/oriented/forces/anchors.hpp"
+#include "core/oriented/forces/constraint_work.hpp"
+#include "core/oriented/forces/constraints.hpp"
 #include "core/oriented/forces/fields.hpp"
 #include "core/oriented/forces/oriented_forces.hpp"
 #include "core/oriented/integrators/integrators.hpp"
@@ -95,7 +95,7 @@ bool exceedsReach(const Oriented& o, const Scene& scene, const std::vector<Vec3d
 }  // namespace
 
 void stepOriented(const OrientedView& w, Halos halos, double dt) {
-  const StateBefore held = stateBefore(w.oriented.rows, dt);
+  const StateBefore before = stateBefore(w.oriented.rows, dt);
   const double weight = scaleContacts(w.oriented.rows, w.clock, dt);
   w.work.time = w.clock.time;  // time of the forces at the start of the step
   averageFields(w, dt);
@@ -104,10 +104,10 @@ void stepOriented(const OrientedView& w, Halos halos, double dt) {
   if (how == OrientedIntegrator::RungeKutta) stepRungeKutta(w, halos, dt);
   else if (how == OrientedIntegrator::SemiImplicit) stepSemiImplicit(w, halos, dt);
   else stepSymplectic(w, dt);
-  w.oriented.exceededReach = exceedsReach(w.oriented.rows, w.scene, held.place);
-  moveAnchored(w.oriented.rows, w.scene, w.clock.time + dt, dt);
-  recordAnchorWork(w, held, weight);
-  recordContactWork(w, held, weight);
+  w.oriented.exceededReach = exceedsReach(w.oriented.rows, w.scene, before.place);
+  moveConstrainted(w.oriented.rows, w.scene, w.clock.time + dt, dt);
+  recordConstraintWork(w, before, weight);
+  recordContactWork(w, before, weight);
   w.times.lap(StepPhase::Oriented);
 }
 

@@ -6,9 +6,9 @@
 
 namespace thaw {
 
-/// Integrates all oriented particles over dt (s) with the forces of the last evaluation, and moves anchors.
-/// Applies the impulse of the last half step of contacts with other body types, which the ledger reports as
-/// under way (LedgerReport::impulseInFlight). Requires: evaluateOriented. Collective.
+/// Integrates all oriented particles over dt (s) with the forces of the last evaluation, and moves
+/// constraints. Applies the impulse of the last half step of contacts with other body types, which the ledger
+/// reports as under way (LedgerReport::impulseInFlight). Requires: evaluateOriented. Collective.
 void stepOriented(const OrientedView& view, Halos halos, double dt);
 
 /// Applies due events of the last step of dt (s), also those of time 0 with OrientedWork::begins, then

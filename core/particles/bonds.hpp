@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bonds of the owned slots. If no reference is ever renewed (no freezing, welding or large plastic flow), all
-// bonds share one configuration. A bond is then its other end alone: X_ij is the difference of
+// Bonds of the owned solids. If no reference is ever renewed (no freezing, welding or large plastic flow),
+// all bonds share one configuration. A bond is then its other end alone: X_ij is the difference of
 // Solids::reference, and the weight follows from its length. Otherwise each bond stores its vectors and
 // weight, in the precision of the elastic step.
 #pragma once
@@ -39,33 +39,33 @@ class BondReals {
   AlignedVector<double> d_;
 };
 
-/// Bond k of slot s is element at(s, k) of each array. The order of a slot's bonds is part of the state: it
+/// Bond k of solid s is element at(s, k) of each array. The order of a solid's bonds is part of the state: it
 /// is the order of sums, equal on any number of ranks.
 struct Bonds {
-  int capacity = 0;                        ///< bonds per slot; grows as needed
-  AlignedVector<std::uint32_t> neighbour;  ///< slot of the other end; unused entries hold some readable row:
-                                           ///< the slot itself if it is owned
+  int capacity = 0;                        ///< bonds per solid; grows as needed
+  AlignedVector<std::uint32_t> neighbour;  ///< solid of the other end; unused entries hold some readable row:
+                                           ///< the solid itself if it is owned
   BondReals x, y, z;  ///< reference vector X_ij (m) from this end to the other, in this end's reference frame
   BondReals rx, ry, rz;  ///< X_ji, the other end's vector to this one; empty unless twoFrames (then X_ji =
                          ///< -X_ij)
   BondReals weight;      ///< w_ij, symmetric; 0: no bond or broken
   bool vectors = true;   ///< x, y, z and weight are stored; else a bond is its other end, and an entry whose
-                         ///< end is the slot itself is unused
+                         ///< end is the solid itself is unused
   bool twoFrames = false;  ///< rx, ry, rz are stored
   bool broken = false;     ///< some bond broke on this rank since the last bond update; the next one drops it
 
-  std::size_t at(std::size_t slot, int k) const {
-    return (slot / lanes * static_cast<std::size_t>(capacity) + static_cast<std::size_t>(k)) * lanes +
-           slot % lanes;
+  std::size_t at(std::size_t solidIndex, int k) const {
+    return (solidIndex / lanes * static_cast<std::size_t>(capacity) + static_cast<std::size_t>(k)) * lanes +
+           solidIndex % lanes;
   }
-  /// Returns true if this entry of an owned slot holds a bond.
-  bool hasBond(std::size_t slot, int k) const {
-    return vectors ? weight[at(slot, k)] > 0 : neighbour[at(slot, k)] != slot;
+  /// Returns true if this entry of an owned solid holds a bond.
+  bool hasBond(std::size_t solidIndex, int k) const {
+    return vectors ? weight[at(solidIndex, k)] > 0 : neighbour[at(solidIndex, k)] != solidIndex;
   }
   /// Breaks a bond: sums skip it from now on, and the next bond update drops it.
-  void cut(std::size_t slot, int k) {
-    if (vectors) weight.set(at(slot, k), 0);
-    else neighbour[at(slot, k)] = static_cast<std::uint32_t>(slot);
+  void cut(std::size_t solidIndex, int k) {
+    if (vectors) weight.set(at(solidIndex, k), 0);
+    else neighbour[at(solidIndex, k)] = static_cast<std::uint32_t>(solidIndex);
     broken = true;
   }
   /// Calls use(array) for the stored arrays of reals.

@@ -11,12 +11,12 @@
 
 namespace thaw {
 
-inline constexpr std::uint32_t noSlot = 0xffffffffu;
+inline constexpr std::uint32_t noSolid = 0xffffffffu;
 
 enum Phase : std::uint8_t { Solid = 0, Liquid = 1 };
 
-inline constexpr std::uint8_t held = 1, driven = 2,
-                              heldByPiece = 3;  ///< values of Continuum::clamped
+inline constexpr std::uint8_t fixedInPlace = 1, driven = 2,
+                              fixedByPiece = 3;  ///< values of Continuum::clamped
 
 inline constexpr std::uint64_t notRigid = 0;  ///< value of Continuum::piece
 
@@ -156,8 +156,8 @@ struct Continuum : Table {
   Column<Vec3d> sheetContactData{*this, "sheetContactData", "J, W/K, K", Keep::Transient,
       "energy and conductance to the sheet for a triangle at a depth of 1, and temperature of the particle"};
   // Solid.
-  Column<std::uint32_t> slot{*this, "slot", "1", Keep::Local,
-      "row in the table of solids; noSlot for liquids"};
+  Column<std::uint32_t> solidIndex{*this, "solid_index", "1", Keep::Local,
+      "row in the table of solids; noSolid for liquids"};
   // Rigid pieces (core/rigid/).
   Column<std::uint64_t> piece{*this, "piece", "1", Keep::State,
       "rigid piece: 1 + smallest id of its particles; 0: none"};
@@ -257,7 +257,7 @@ inline bool isRigid(const Continuum& p, std::size_t i) { return p.piece.active &
 /// Returns true if a particle takes substeps (core/simulation/solid_substeps.hpp). Particles that melted or
 /// froze at the end of the last step have no bonds and take none.
 inline bool takesSubsteps(const Continuum& p, std::size_t i) {
-  return p.slot[i] != noSlot && p.phase[i] == Solid && !(p.justFrozen.active && p.justFrozen[i]);
+  return p.solidIndex[i] != noSolid && p.phase[i] == Solid && !(p.justFrozen.active && p.justFrozen[i]);
 }
 
 }  // namespace thaw

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Solid particles and their bonds: the reference configuration (MKN04, K05 3.2). Particles are sorted by cell
-// every step, but rows ("slots") stay in place: they change only when a solid particle migrates, melts or
-// freezes. Rows [0, owned) belong to continuum particles of this rank; rows [owned, owned + ghosts) are
+// every step, but rows (solid indices) stay in place: they change only when a solid particle migrates, melts
+// or freezes. Rows [0, owned) belong to continuum particles of this rank; rows [owned, owned + ghosts) are
 // remote ends of bonds.
 #pragma once
 #include "core/particles/bonds.hpp"
@@ -66,7 +66,8 @@ struct Solids : Table {
   Column<Sym3d> stress{*this, "stress", "Pa", Keep::Transient, "Cauchy stress, for output"};
   Column<Vec3d> force{*this, "force", "N", Keep::Transient, "elastic force on the particle"};
   Column<double> energy{*this, "energy", "J", Keep::State,
-      "stored elastic, volume and hourglass energy; migrates with the slot, also right after a restart"};
+      "stored elastic, volume and hourglass energy; migrates with the solidIndex, also right after a "
+      "restart"};
   Column<double> dissipated{*this, "dissipated", "J", Keep::Transient,
       "lost to plastic flow and bond damping in this step"};
   Column<std::uint8_t> exposed{*this, "exposed", "1", Keep::State,
@@ -80,10 +81,10 @@ struct Solids : Table {
       "data derived from its bonds (momentInverse, ElasticWork) needs an update"};
   // clang-format on
 
-  /// Marks a slot that lost a bond. It is marked at the loss, since a migrating slot keeps no trace of lost
+  /// Marks a solid that lost a bond. It is marked at the loss, since a migrating solid keeps no trace of lost
   /// bonds.
-  void markExposed(std::size_t slot) {
-    if (exposed.active) exposed[slot] = 1;
+  void markExposed(std::size_t solidIndex) {
+    if (exposed.active) exposed[solidIndex] = 1;
   }
 };
 

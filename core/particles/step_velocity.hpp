@@ -7,7 +7,7 @@
 namespace thaw {
 
 /// Returns true if a particle moved in substeps in the last step, which had `substeps` of them. Ghosts have
-/// no slot that would show it.
+/// no solid index that would show it.
 inline bool movedInSubsteps(const Continuum& p, std::size_t i, int substeps) {
   return substeps > 1 && p.stepMeanVelocity.active && p.stepMeanVelocity[i] != Vec3d{};
 }

@@ -291,7 +291,7 @@ void addMotion(const RigidView& v, std::size_t i, const Vec3d& lever, const Form
     sums[15 + a].add(torque[a]);
   }
   sums[18].add(0.5 * (m * dot(p.velocity[i], p.velocity[i]) + own * dot(former.spin, former.spin)));
-  if (p.clamped.active && (p.clamped[i] == held || p.clamped[i] == driven)) sums[19].add(1);
+  if (p.clamped.active && (p.clamped[i] == fixedInPlace || p.clamped[i] == driven)) sums[19].add(1);
   sums[26].add(former.contactLoad);
   if (!p.pressureImpulse.active) return;
   const Vec3d pressure = p.pressureImpulse[i] * m, twist = cross(r, pressure) + former.spinChange * own;
@@ -372,18 +372,18 @@ void placeParticles(const RigidView& v, const NewPieces& n, std::span<const std:
                     cross(spinOf(v.pieces, row, v.pieces.angularMomentum[row]), lever);
     if (!p.clamped.active) return;
     if (v.pieces.fixed[row] && p.clamped[i] == 0) {
-      p.clamped[i] = heldByPiece;
+      p.clamped[i] = fixedByPiece;
       for (int a = 0; a < 3; a++)  // the clamps balance its force in the next half kick, too
         v.ledger.wallForce[a].add(-p.mass[i] * p.acceleration[i][a]);
     }
-    if (!v.pieces.fixed[row] && p.clamped[i] == heldByPiece) p.clamped[i] = 0;
+    if (!v.pieces.fixed[row] && p.clamped[i] == fixedByPiece) p.clamped[i] = 0;
   });
 }
 
 /// Gives particles their new pieces. Those that melted are released.
 void adoptLabels(Continuum& p) {
   for (std::size_t i = 0; i < p.owned; i++) {
-    if (p.setLabel[i] == notRigid && p.clamped.active && p.clamped[i] == heldByPiece) p.clamped[i] = 0;
+    if (p.setLabel[i] == notRigid && p.clamped.active && p.clamped[i] == fixedByPiece) p.clamped[i] = 0;
     p.piece[i] = p.setLabel[i];
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prescribed motion of obstacles and anchors.
+// Prescribed motion of obstacles and constraints.
 #pragma once
 #include "core/math/vec3.hpp"
 

@@ -17,10 +17,10 @@ enum class OrientedSource { Surface, Patch, Disc, Points, Control, Curve };
 enum class OrientedIntegrator { SymplecticEuler, RungeKutta, SemiImplicit };
 enum class OrientedGrowth { None, Gaps, Borders };  // where new particles are created
 enum class OrientedEventKind { Weld, Cut, Crease, Smooth };
-enum class CutTool { Plane, Stroke, Box };
+enum class CutTool { Plane, Line, Box };
 
 /// Constrains the particles that lie in a region at the start.
-struct OrientedAnchor {
+struct OrientedConstraint {
   SourcePlace where;
   Shape region;
   bool position = true, normal = false;
@@ -33,12 +33,12 @@ struct OrientedAnchor {
 struct OrientedField {
   SourcePlace where;
   bool everywhere = true;
-  Shape region;         // used if not everywhere
-  Vec3d push{};         // N/kg, uniform
-  Vec3d point{};        // m
-  double pull = 0;      // N/kg, toward the point, away from it if negative; maximum, at radius / sqrt(5)
-  double radius = 0.1;  // m, beyond it the attraction is zero
-  double pressure = 0;  // Pa, along the normals
+  Shape region;           // used if not everywhere
+  Vec3d acceleration{};   // N/kg, uniform
+  Vec3d point{};          // m
+  double attraction = 0;  // N/kg, toward the point, away from it if negative; maximum, at radius / sqrt(5)
+  double radius = 0.1;    // m, beyond it the attraction is zero
+  double pressure = 0;    // Pa, along the normals
   double from = 0, until = never;  // s
   FactorInTime inTime;             // factor of all three loads
 };
@@ -49,10 +49,11 @@ struct OrientedEvent {
   double time = 0;  // s
   CutTool tool = CutTool::Plane;
   Vec3d point{}, normal{1, 0, 0};  // m; plane
-  std::vector<Vec3d> path;         // m; stroke or crease
-  Vec3d direction{0, 0, -1};       // direction of the stroke's cut
+  std::vector<Vec3d> path;         // m; line of a cut or crease
+  Vec3d direction{0, 0, -1};       // direction of the cut along a line
   Shape region;                    // box, and smoothing
-  double radius = 0;  // m, radius of a crease (0: one spacing) or reach of a stroke (0: one support radius)
+  double radius = 0;  // m, radius of a crease (0: one spacing) or reach of a cut along a line (0: one support
+                      // radius)
   std::string other;  // body welded to this one
   int otherIndex = -1;
 };
@@ -89,7 +90,7 @@ struct OrientedBody {
   // Loads, contact and time integration.
   double damping = 1, spinDamping = 1;  // 1/s
   double pressure = 0;                  // Pa, along the normals
-  Vec3d push{};                         // N/kg
+  Vec3d acceleration{};                 // N/kg
   double contact = 2;                   // 1, contact stiffness over `stiffness`
   double thickness = 0.5;               // 1, distance kept from obstacles, in spacings
   double friction = 0.2;                // 1
@@ -104,7 +105,7 @@ struct OrientedBody {
   std::int64_t every = 10;      // steps between checks for births and deaths
   std::int64_t most = 1000000;  // largest number of particles
   std::vector<OrientedField> fields;
-  std::vector<OrientedAnchor> anchors;
+  std::vector<OrientedConstraint> constraints;
   std::vector<OrientedEvent> events;
 };
 

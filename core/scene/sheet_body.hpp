@@ -26,9 +26,9 @@ enum class SheetFactor : std::uint8_t {
   Shear,
   Bending,
   Volume,
-  Push,
-  Pull,
-  Wrap,
+  Repulsion,
+  Attraction,
+  ShrinkWrap,
   Wind
 };
 inline constexpr std::size_t sheetFactors = 12;
@@ -42,7 +42,7 @@ struct SheetRegion {
 };
 
 /// Local pressure: largest at the centre, zero at the radius.
-struct SheetBrush {
+struct PressureBrush {
   SourcePlace where;
   Vec3d centre{};                // m
   double radius = 0.1;           // m
@@ -83,15 +83,15 @@ struct SheetBody {
   double stretchLimit = never;           // 1, stretch beyond which edges are nearly rigid
   double rigid = 50;                     // 1, stiffness factor beyond it
   double volumeStiffness = 0;            // Pa
-  double push = 0, pull = 0;  // N/m, repulsion of vertices nearer than `thickness`, attraction of those
-                              // further apart
-  double pullReach = 0;       // m, range of the attraction
+  double repulsion = 0, attraction = 0;  // N/m, repulsion of vertices nearer than `thickness`, attraction of
+                                         // those further apart
+  double attractionRange = 0;  // m, range of the attraction
   // External forces.
-  Vec3d wind{};            // m/s
-  double windDensity = 0;  // kg/m^3, density of the air times a drag coefficient; 0: no wind
-  double wrap = 0;         // Pa, pressure of the shrink-wrap
-  std::string wrapTo;      // name of an obstacle; empty: along the negative normal of the sheet
-  std::vector<SheetBrush> brushes;
+  Vec3d wind{};              // m/s
+  double windDensity = 0;    // kg/m^3, density of the air times a drag coefficient; 0: no wind
+  double shrinkWrap = 0;     // Pa, pressure of the shrink-wrap
+  std::string shrinkWrapTo;  // name of the target; empty: along the negative normal of the sheet
+  std::vector<PressureBrush> pressureBrushes;
   // Contact.
   double thickness = 0;    // m, contact distance; 0: 0.8 of the spacing
   double contactRate = 0;  // 1/s, rate at which contact reverses a vertex; 0: from the expected speeds of the
@@ -122,9 +122,9 @@ inline constexpr std::array<SheetCoefficient, sheetFactors> sheetCoefficients{
      {"shear", &SheetBody::shear},
      {"bending", &SheetBody::bending},
      {"volume_stiffness", &SheetBody::volumeStiffness},
-     {"push", &SheetBody::push},
-     {"pull", &SheetBody::pull},
-     {"wrap", &SheetBody::wrap},
+     {"repulsion", &SheetBody::repulsion},
+     {"attraction", &SheetBody::attraction},
+     {"shrink_wrap", &SheetBody::shrinkWrap},
      {"wind_density", &SheetBody::windDensity}}};
 
 /// Returns the largest absolute factor that time and regions give a coefficient from a time (s) on.

@@ -42,9 +42,10 @@ double contactRateOf(const Scene& s, const SheetBody& b, double thickness) {
   const auto most = [&](SheetFactor f) {
     return std::abs(b.*sheetCoefficients[placeOf(f)].value) * largestFactor(b, f);
   };
-  double pressure = b.mass * length(s.domain.gravity) + most(SheetFactor::Wrap) +
+  double pressure = b.mass * length(s.domain.gravity) + most(SheetFactor::ShrinkWrap) +
                     most(SheetFactor::Wind) * dot(b.wind, b.wind);
-  for (const SheetBrush& brush : b.brushes) pressure += length(brush.pressure) * brush.inTime.most(0, never);
+  for (const PressureBrush& brush : b.pressureBrushes)
+    pressure += length(brush.pressure) * brush.inTime.most(0, never);
   const double mass = b.mass > 0 ? b.mass : 1;
   return std::max({2 * speedOf(s, b) / thickness, std::sqrt(10 * pressure / (mass * thickness)),
                    2 * std::sqrt(most(SheetFactor::Stiffness) / mass), 1.0});
@@ -149,9 +150,10 @@ double expectedSheetSpeed(const Scene& s) {
     const auto pushed = [&](double pressure, double over) {
       return b.mass > 0 ? std::sqrt(2 * pressure * over / b.mass) : b.damping > 0 ? pressure / b.damping : 0;
     };
-    most = std::max({most, speedOf(s, b), b.windDensity > 0 ? length(b.wind) : 0,
-                     pushed(std::abs(b.wrap) * largestFactor(b, SheetFactor::Wrap), spacingOf(s, b))});
-    for (const SheetBrush& brush : b.brushes)
+    most = std::max(
+        {most, speedOf(s, b), b.windDensity > 0 ? length(b.wind) : 0,
+         pushed(std::abs(b.shrinkWrap) * largestFactor(b, SheetFactor::ShrinkWrap), spacingOf(s, b))});
+    for (const PressureBrush& brush : b.pressureBrushes)
       most = std::max(most, pushed(length(brush.pressure) * brush.inTime.most(0, never), brush.radius));
   }
   return most;
@@ -161,7 +163,7 @@ double sheetReach(const Scene& s) {
   double reach = 0;
   for (const SheetBody& b : s.sheets) {
     const double own = sheetThickness(s, b);
-    reach = std::max({reach, own, own + (b.pull > 0 ? b.pullReach : 0), 0.5 * (own + s.spacing)});
+    reach = std::max({reach, own, own + (b.attraction > 0 ? b.attractionRange : 0), 0.5 * (own + s.spacing)});
     // without neighbour search cells only partition sums: some vertices each
     if (!hasContinuum(s) && s.oriented.empty() && !sheetsInteract(s))
       reach = std::max(reach, 4 * spacingOf(s, b));
@@ -287,7 +289,7 @@ void planEdges(const SheetBody& b, const SpringFactors& factor, SheetPlan& plan)
 /// Returns whether the scene has something that a sheet can touch.
 bool canTouch(const Scene& s, const SheetBody& b) {
   bool touches = b.selfContact || s.sheets.size() > 1 || !s.obstacles.empty() || !s.bodies.empty() ||
-                 !s.emitters.empty() || !s.oriented.empty() || b.push > 0 || b.pull > 0;
+                 !s.emitters.empty() || !s.oriented.empty() || b.repulsion > 0 || b.attraction > 0;
   for (const auto& axis : s.domain.side)
     for (const Side side : axis) touches = touches || side == Side::Wall;
   return touches;
@@ -347,8 +349,8 @@ void addPlan(const Scene& s, std::size_t n, const MeshLoader& load, SheetPlans& 
   const SpringFactors factor{all.laws, plan.law};
   planEdges(b, factor, plan);
   planContact(s, n, plan, std::span(all.laws).subspan(firstLaw));
-  plan.normals = b.volumeStiffness > 0 || (b.wrap != 0 && b.wrapTo.empty()) || b.windDensity > 0;
-  if (b.wrap != 0) plan.wrapTarget = wrapTarget(s, n);
+  plan.normals = b.volumeStiffness > 0 || (b.shrinkWrap != 0 && b.shrinkWrapTo.empty()) || b.windDensity > 0;
+  if (b.shrinkWrap != 0) plan.wrapTarget = wrapTarget(s, n);
   planParts(b, n, plan, all.laws, all.parts);
   plan.hinges = hingesOf(b, plan, factor);
   all.plans.push_back(std::move(plan));

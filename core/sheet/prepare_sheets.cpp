@@ -21,15 +21,16 @@ void prepareSheets(SheetBodies& sheets, const Scene& scene, const MeshLoader& lo
 void activateSheets(SheetBodies& sheets, const Scene& scene, const Modules& modules) {
   Sheets& s = sheets.rows;
   activateBodyType(s);
-  for (AnyColumn* c : std::initializer_list<AnyColumn*>{&s.rest, &s.load, &s.area, &s.law, &s.part, &s.slot})
+  for (AnyColumn* c :
+       std::initializer_list<AnyColumn*>{&s.rest, &s.load, &s.area, &s.law, &s.part, &s.solidIndex})
     s.activate(*c);
   for (const SheetBody& b : scene.sheets) {
     if (b.plasticity > 0 && b.elasticLimit < never) {
       s.activate(s.flow);
       s.activate(s.hardening);
     }
-    if (b.windDensity > 0 || b.wrap != 0 || !b.brushes.empty()) s.activate(s.outside);
-    if (b.windDensity > 0 || b.volumeStiffness > 0 || (b.wrap != 0 && b.wrapTo.empty()))
+    if (b.windDensity > 0 || b.shrinkWrap != 0 || !b.pressureBrushes.empty()) s.activate(s.outside);
+    if (b.windDensity > 0 || b.volumeStiffness > 0 || (b.shrinkWrap != 0 && b.shrinkWrapTo.empty()))
       s.activate(s.areaNormal);
     if (!b.clamp.empty()) s.activate(s.clamped);
     if (s.outside.active) s.activate(s.moved);
@@ -83,7 +84,7 @@ void sampleSheets(SheetBodies& sheets, const Scene& scene, Halos halos, const Me
       s.part[i] = plan.firstPart + plan.topology.component[v];
       s.mass[i] = sheets.laws[plan.law[v]].law.mass * s.area[i];
       s.body[i] = static_cast<std::uint16_t>(n);
-      s.slot[i] = noSlot;
+      s.solidIndex[i] = noSolid;
       if (s.temperature.active) s.temperature[i] = b.temperature;
       for (const auto& c : clamps)
         if (c && c->inside(s.position[i])) s.clamped[i] = 1;

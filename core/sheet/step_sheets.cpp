@@ -175,8 +175,8 @@ void finaliseRemoved(const SheetView& w, std::span<const std::uint32_t> rows, do
   const std::vector<SpringLaw> laws = lawsNow(w, dt);
   for (const std::uint32_t i : rows) {
     const SpringLaw& law = laws[s.law[i]];
-    const bool held = s.clamped.active && s.clamped[i];
-    if (held || (!(law.damping > 0) && !(law.stiffness > 0))) continue;
+    const bool clamped = s.clamped.active && s.clamped[i];
+    if (clamped || (!(law.damping > 0) && !(law.stiffness > 0))) continue;
     Vec3d& v = s.velocity[i];
     v += vertexMap(law, dt).after * s.load[i];
     const Vec3d impulse = s.mass[i] * v;
@@ -192,7 +192,7 @@ void finaliseRemoved(const SheetView& w, std::span<const std::uint32_t> rows, do
 void linkSheets(SheetBodies& b, Halos halos, PhaseTimes& times) {
   Sheets& s = b.rows;
   const BondedRows rows = vertexRows(s);
-  linkSlots(rows, b.edges.ends);
+  linkSolids(rows, b.edges.ends);
   halos.edges->rebuildBonds(rows, b.edges.ends, b.edges.bonds, {{}, b.leftHere || b.edgesAtStart});
   b.leftHere = false;
   if (b.edgesAtStart) {

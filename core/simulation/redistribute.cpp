@@ -51,7 +51,7 @@ std::size_t emit(World& w, const CellHalo& halo, const ParticleSources& sources,
         if (p.enthalpy.active) p.enthalpy[i] = ledgerEnthalpy(w.scene.numerics.heat, m, temperature, 1);
         if (p.temperature.active) p.temperature[i] = temperature;
         p.cell[i] = p.nextCell[i] = cell;
-        if (p.slot.active) p.slot[i] = noSlot;
+        if (p.solidIndex.active) p.solidIndex[i] = noSolid;
         w.ledger.entered.potential.add(cohesionAtEntry(plan, layer, k));
         w.counters.emitted++;
       }
@@ -106,13 +106,13 @@ void recordEmitted(World& w, PhaseChangeWork& phaseChange, std::size_t emitted) 
   std::vector<std::uint32_t> fresh;
   for (std::size_t i = p.owned - emitted; i < p.owned; i++) {
     fresh.push_back(static_cast<std::uint32_t>(i));
-    if (p.phase[i] == Solid) phaseChange.here = true;  // emitted as solid: needs a slot
+    if (p.phase[i] == Solid) phaseChange.here = true;  // emitted as solid: needs a row in Solids
   }
   addToBalance(w, fresh, w.ledger.entered);
 }
 
 /// Adds evaporated particles to those that leave, records and counts them all. Returns true if one of them
-/// has a slot. Collective.
+/// has a solid. Collective.
 bool takeLeaving(World& w, Halos& halos, StepTools& t, double dt) {
   Continuum& p = w.particles;
   const std::vector<std::uint32_t> vapour = w.modules.evaporation && dt > 0
@@ -123,15 +123,15 @@ bool takeLeaving(World& w, Halos& halos, StepTools& t, double dt) {
   if ((w.modules.tension || !t.terms.pairForces.empty()) &&
       (hasOpenSide(w.scene.domain) || w.modules.evaporation))
     t.redistribution.leavers = leaversOfAll(w, t, halos.all);
-  bool leftSlots = false;
+  bool leftSolids = false;
   for (std::uint32_t i : t.redistribution.leaving) {
     w.ledger.dissipated.add(p.dissipated[i]);
     if (std::binary_search(vapour.begin(), vapour.end(), i)) w.counters.evaporated++;
     else countLeaving(w.scene.domain, p.position[i], w.counters);
     t.rigid.changedHere = t.rigid.changedHere || isRigid(p, i);
-    leftSlots = leftSlots || (p.slot.active && p.slot[i] != noSlot);
+    leftSolids = leftSolids || (p.solidIndex.active && p.solidIndex[i] != noSolid);
   }
-  return leftSlots;
+  return leftSolids;
 }
 
 /// Migrates particles by their cells, and bonds with them. Returns the moves with the particles that leave
@@ -205,14 +205,14 @@ bool redistribute(World& w, Halos halos, StepTools& t, double dt) {
   work.mayLeave = true;
   findCells(w, work.leaving, moves, open);
   if (!moves && !work.leaving.empty()) findCells(w, work.leaving, true, open);
-  const bool leftSlots = takeLeaving(w, halos, t, dt);
+  const bool leftSolids = takeLeaving(w, halos, t, dt);
   Migration m = migrateParticles(w, halos, t, moves);
   m.arrivals += emitted;
   if (ordered) sortByCell(p, m, work.sort, w.cells, staleColumns(w.modules, w.particles, dt));
   else if (m.arrivals > 0 || !m.departed.empty()) closeGaps(p, m);
   if (partitioned) freeOldBuffers(p, w.neighbours, t.sums.records, work.sort);
   t.times.lap(StepPhase::Sort);
-  return leftSlots;
+  return leftSolids;
 }
 
 }  // namespace thaw

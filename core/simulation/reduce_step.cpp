@@ -49,9 +49,10 @@ void limitsOfAll(StepContext& c) {
 }
 
 /// Sets the next step in the clock.
-void setNextStep(MonitorState& watch, const Scene& scene, Clock& clock, StepLimits limits, Limit limitedBy) {
-  watch.factor = nextFactor(watch);  // 1, or less after a rollback
-  const double fixed = scene.numerics.fixedStep, factor = watch.factor;
+void setNextStep(MonitorState& monitor, const Scene& scene, Clock& clock, StepLimits limits,
+                 Limit limitedBy) {
+  monitor.factor = nextFactor(monitor);  // 1, or less after a rollback
+  const double fixed = scene.numerics.fixedStep, factor = monitor.factor;
   // Without a limit frames shorten the step; after a rollback it is a fraction of that.
   const bool limited = limits[limitedBy] < never;
   const double limit = limited || factor == 1 ? limits[limitedBy] : longestUnlimitedStep(clock);
@@ -82,7 +83,7 @@ StepOutcome reduceStep(StepContext& c, StepOutcome here, Requests wanted) {
   all.surfaceMove2 = reduction.surfaceMove2;
   all.failure = all.finite ? failureOf(w, t.limits.monitor, c.commonLimits, reduction.relativeDensity)
                            : Failure::NotFinite;
-  setNextStep(w.watch, w.scene, w.clock, c.commonLimits, all.limitedBy);
+  setNextStep(w.monitor, w.scene, w.clock, c.commonLimits, all.limitedBy);
   runPhase(ModulePhase::NextStep, c);
   return all;
 }

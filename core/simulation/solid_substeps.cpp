@@ -81,7 +81,7 @@ void substepSolids(World& w, Halos halos, StepTools& t, double dt) {
   const int n = w.clock.substeps;
   if (n <= 1) return;
   const double span = dt / n, far2 = w.grid.support * w.grid.support / (dt * dt);
-  linkSlots(w.particles, w.solids);  // rows were sorted since, if the run was resumed
+  linkSolids(w.particles, w.solids);  // rows were sorted since, if the run was resumed
   // Already handled.
   if (w.solids.rereferenced.active)
     std::fill_n(w.solids.rereferenced.data(), w.solids.size(), std::uint8_t{0});

@@ -59,20 +59,20 @@ void lookAround(const CellTable& cells, const std::vector<std::uint8_t>& own,
   }
 }
 
-/// Returns true if all bonds of the slot end within the 27 surrounding cells and its strain is small.
+/// Returns true if all bonds of the solid end within the 27 surrounding cells and its strain is small.
 /// Inverted and weakened particles are counted in every step.
-bool mayBeSkipped(const SleepView& w, std::uint32_t slot) {
+bool mayBeSkipped(const SleepView& w, std::uint32_t solidIndex) {
   const Solids& s = w.solids;
   for (int k = 0; k < w.bonds.capacity; k++) {
-    if (!w.bonds.hasBond(slot, k)) continue;
-    Vec3d d = s.position[w.bonds.neighbour[w.bonds.at(slot, k)]] - s.position[slot];
+    if (!w.bonds.hasBond(solidIndex, k)) continue;
+    Vec3d d = s.position[w.bonds.neighbour[w.bonds.at(solidIndex, k)]] - s.position[solidIndex];
     for (int a = 0; a < 3; a++) {
       if (w.grid.periodic[a]) d[a] -= w.grid.period[a] * std::nearbyint(d[a] / w.grid.period[a]);
       if (!(std::abs(d[a]) < w.grid.edge[a])) return false;
     }
   }
   constexpr double largest = 0.3;  // limit of |F^T F - 1|
-  const Mat3d& f = s.deformation[slot];
+  const Mat3d& f = s.deformation[solidIndex];
   double size2 = 0;
   for (int a = 0; a < 3; a++)
     for (int b = 0; b < 3; b++) {
@@ -81,12 +81,12 @@ bool mayBeSkipped(const SleepView& w, std::uint32_t slot) {
       size2 += c * c;
     }
   return size2 < largest * largest && determinant(f) > 0 &&
-         !(s.plasticInverse.active && norm(plasticMetric(s.plasticInverse[slot])) > 0.5);
+         !(s.plasticInverse.active && norm(plasticMetric(s.plasticInverse[solidIndex])) > 0.5);
 }
 
 AwakeReason awakeReasonOf(const Continuum& p, const Scene& scene, std::size_t i, const Vec3d& acceleration) {
   const Numerics& n = scene.numerics;
-  if (p.phase[i] != Solid || p.slot[i] == noSlot || (p.liquid.active && p.liquid[i] > 0))
+  if (p.phase[i] != Solid || p.solidIndex[i] == noSolid || (p.liquid.active && p.liquid[i] > 0))
     return AwakeReason::NotSolid;
   // The limit is at most half of gravity: otherwise a freely falling particle could be at rest for a large
   // sleep_speed, and freeze in the air.
@@ -224,7 +224,7 @@ void dropSkippedContacts(const SleepWork& sleep, WallContacts& contacts) {
   std::erase_if(contacts.list, [&](const WallContact& c) { return sleep.skipped[c.row] != 0; });
 }
 
-void forgetChangedSlots(const Solids& solids, SleepWork& sleep) {
+void forgetChangedSolids(const Solids& solids, SleepWork& sleep) {
   sleep.fresh.resize(solids.owned, 0);
   for (std::size_t s = 0; s < solids.owned; s++)
     if (solids.changed[s]) sleep.fresh[s] = 0;
@@ -233,8 +233,8 @@ void forgetChangedSlots(const Solids& solids, SleepWork& sleep) {
 void chooseAwakeGroups(const Continuum& p, const Solids& solids, ElasticWork& e, SleepWork& s) {
   if (s.recomputeAll) s.fresh.assign(solids.owned, 0);
   s.fresh.resize(solids.owned, 0);
-  e.held.resize(solids.owned);
-  for (std::size_t k = 0; k < solids.owned; k++) e.held[k] = p.sleep[solids.particle[k]] != awake;
+  e.plasticFixed.resize(solids.owned);
+  for (std::size_t k = 0; k < solids.owned; k++) e.plasticFixed[k] = p.sleep[solids.particle[k]] != awake;
   e.groupStretch2.resize((solids.owned + lanes - 1) / lanes, 1);
   const auto choose = [&](const std::vector<std::uint32_t>& all, std::vector<std::uint32_t>& some) {
     some.clear();
@@ -318,7 +318,7 @@ void updateSleep(const SleepView& w, double dt) {
       if (!atRest || !(around & AtRest)) p.sleep[i] = awake;
       else if (p.sleep[i] == awake) p.sleep[i] = sleepFixed;
       else if (p.sleep[i] == sleepFixed) p.sleep[i] = sleepSettled;
-      else p.sleep[i] = (around & Settled) && mayBeSkipped(w, p.slot[i]) ? asleep : sleepSettled;
+      else p.sleep[i] = (around & Settled) && mayBeSkipped(w, p.solidIndex[i]) ? asleep : sleepSettled;
       if (p.sleep[i] == awake) continue;
       if (p.sleep[i] == sleepFixed) {
         const Vec3d v = p.velocity[i];

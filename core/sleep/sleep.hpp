@@ -57,8 +57,8 @@ struct SleepWork {
                                       ///< of inner cells only, until markSleeping
   std::vector<std::uint8_t> skipped;  ///< by owned row: 1 if steady and already computed on this rank
   std::vector<double> interaction;    ///< J, by owned row, from the last step
-  std::vector<std::uint8_t> fresh;    ///< by slot: 1 if deformation and flux match the sleeping position
-  std::vector<double> stretch2;       ///< by group of slots: its largest squared stretch
+  std::vector<std::uint8_t> fresh;    ///< by solid: 1 if deformation and flux match the sleeping position
+  std::vector<double> stretch2;       ///< by group of solids: its largest squared stretch
 };
 
 /// Stores SleepWork::interaction. Wakes particles that touch a moving wall. Wakes all if a wall vanishes or a
@@ -85,11 +85,11 @@ std::span<const RowSpan> rowsToSee(const Modules& modules, const Continuum& part
 /// Removes wall contacts of skipped rows from the list.
 void dropSkippedContacts(const SleepWork& sleep, WallContacts& contacts);
 
-/// chooseAwakeGroups selects the active groups of slots; call it before deformations. forgetChangedSlots
-/// resets the slots that a bond update changed; call it after the rebuildBonds.
+/// chooseAwakeGroups selects the active groups of solids; call it before deformations. forgetChangedSolids
+/// resets the solids that a bond update changed; call it after the rebuildBonds.
 void chooseAwakeGroups(const Continuum& particles, const Solids& solids, ElasticWork& elastic,
                        SleepWork& sleep);
-void forgetChangedSlots(const Solids& solids, SleepWork& sleep);
+void forgetChangedSolids(const Solids& solids, SleepWork& sleep);
 
 /// Sets Continuum::constraintForce of sleeping particles, before wall forces are added.
 void recordConstraintForces(Continuum& particles, const Scene& scene, const SleepWork& sleep);

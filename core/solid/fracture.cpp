@@ -4,18 +4,19 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/solid/elasticity/slot_state.hpp"
+#include "core/solid/elasticity/solid_state.hpp"
 
 namespace thaw {
 
 namespace {
 
-bool beyondLimit(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot, int k) {
-  const std::uint32_t other = bonds.neighbour[bonds.at(slot, k)];
-  const double limit = std::min(work.materials[solids.material[slot]].breakStretch,
+bool beyondLimit(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t solidIndex,
+                 int k) {
+  const std::uint32_t other = bonds.neighbour[bonds.at(solidIndex, k)];
+  const double limit = std::min(work.materials[solids.material[solidIndex]].breakStretch,
                                 work.materials[solids.material[other]].breakStretch);
   if (!(limit < never)) return false;
-  const BondVectors v = bondVectors(work, solids, bonds, slot, k);
+  const BondVectors v = bondVectors(work, solids, bonds, solidIndex, k);
   // Ends within the contact distance would repel each other and gain energy: their bond breaks only after
   // they separate.
   const double length2 = dot(v.current, v.current);
@@ -45,11 +46,11 @@ std::int64_t breakBonds(ElasticWork& work, Solids& solids, Bonds& bonds, const E
         count += solids.id[s] < solids.id[bonds.neighbour[bonds.at(s, k)]];
         bonds.cut(s, k);
       }
-      refreshSlot(work, solids, bonds, s);
+      refreshSolid(work, solids, bonds, s);
       // If stretched bonds break and compressed ones stay, the remaining strain can be larger. The volume is
       // then reduced so that a break never adds energy; otherwise one crack triggers the next until all is
       // dust.
-      const double after = slotEnergy(work, solids, bonds, s);
+      const double after = solidEnergy(work, solids, bonds, s);
       if (after > before.now) solids.volume[s] *= before.now / after;
       recordJump(before, driftEnergy(work, solids, bonds, s, step.dt), phaseJump);
       any = true;

@@ -5,10 +5,10 @@
 
 namespace thaw {
 
-/// Breaks (weight 0) every bond of owned slots whose current length exceeds breakStretch times its reference
+/// Breaks (weight 0) every bond of owned solids whose current length exceeds breakStretch times its reference
 /// length, and whose ends are outside the contact distance. The limit is the smaller one of both materials,
 /// the reference length the longer one of both ends. Both ends decide alike from the same bits. Call it after
-/// phase 1 of both parts; it repeats phase 1 for slots that lost bonds. phaseJump (J) receives the elastic
+/// phase 1 of both parts; it repeats phase 1 for solids that lost bonds. phaseJump (J) receives the elastic
 /// energy of the broken bonds, minus the work that the changed forces do in the kick of the step. Requires:
 /// Solids::velocity of owned and remote rows, id and material of remote rows. Returns the number of broken
 /// bonds, counted at the end with the smaller id.

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/solid/melting.hpp"
 
-#include "core/solid/elasticity/slot_state.hpp"
+#include "core/solid/elasticity/solid_state.hpp"
 
 namespace thaw {
 
 namespace {
 
-bool dropBonds(Solids& solids, Bonds& bonds, std::size_t slot, int most) {
+bool dropBonds(Solids& solids, Bonds& bonds, std::size_t solidIndex, int most) {
   bool any = false;
   for (int k = 0; k < most; k++) {
-    if (!bonds.hasBond(slot, k) ||
-        !(solids.melted[slot] || solids.melted[bonds.neighbour[bonds.at(slot, k)]]))
+    if (!bonds.hasBond(solidIndex, k) ||
+        !(solids.melted[solidIndex] || solids.melted[bonds.neighbour[bonds.at(solidIndex, k)]]))
       continue;
-    bonds.cut(slot, k);
+    bonds.cut(solidIndex, k);
     any = true;
   }
-  if (any) solids.markExposed(slot);
+  if (any) solids.markExposed(solidIndex);
   return any;
 }
 
@@ -24,7 +24,7 @@ bool dropBonds(Solids& solids, Bonds& bonds, std::size_t slot, int most) {
 
 namespace {
 
-/// Returns whether the whole energy of a slot is proportional to Young's modulus at any liquid fraction.
+/// Returns whether the whole energy of a solid is proportional to Young's modulus at any liquid fraction.
 bool scalesWithYoung(const Material& m, const ElasticConstants& c) {
   return c.law->law->builtIn >= 0 && m.volumeStiffness == 0 && m.poisson.solid == m.poisson.liquid &&
          (m.yieldStrain.solid == m.yieldStrain.liquid || !(m.yieldStrain.solid < never));
@@ -44,9 +44,9 @@ void recordSoftening(const ElasticWork& work, const Continuum& p, Solids& solids
       after *= m.young.at(static_cast<double>(is)) / young;
       solids.liquid[s] = is;
     } else {
-      after -= slotEnergy(work, solids, bonds, s);
+      after -= solidEnergy(work, solids, bonds, s);
       solids.liquid[s] = is;
-      after += slotEnergy(work, solids, bonds, s);
+      after += solidEnergy(work, solids, bonds, s);
     }
     phaseJump.add(before - after);
     solids.energy[s] = after;
@@ -62,10 +62,10 @@ std::int64_t dropMeltedBonds(ElasticWork& work, const Continuum& p, Solids& soli
   std::int64_t count = 0;
   for (std::size_t s = 0; s < solids.owned; s++) {
     if (!dropBonds(solids, bonds, s, work.bondCount[s / lanes])) continue;
-    refreshSlot(work, solids, bonds, s);
+    refreshSolid(work, solids, bonds, s);
     if (solids.liquid.active) solids.liquid[s] = p.liquid[solids.particle[s]];
-    if (solids.lastGradient.active) solids.lastGradient[s] = slotGradient(work, solids, bonds, s);
-    const double after = solids.melted[s] ? 0 : slotEnergy(work, solids, bonds, s);
+    if (solids.lastGradient.active) solids.lastGradient[s] = solidGradient(work, solids, bonds, s);
+    const double after = solids.melted[s] ? 0 : solidEnergy(work, solids, bonds, s);
     phaseJump.add(solids.energy[s] - after);
     solids.energy[s] = after;
     count++;

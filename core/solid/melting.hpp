@@ -10,14 +10,14 @@ namespace thaw {
 void recordSoftening(const ElasticWork& work, const Continuum& particles, Solids& solids, const Bonds& bonds,
                      ExactSum& phaseJump);
 
-/// Sets Solids::melted of owned slots from the phase of their particles; the caller then sends it along the
+/// Sets Solids::melted of owned solids from the phase of their particles; the caller then sends it along the
 /// bonds.
 void markMelted(const Continuum& particles, Solids& solids);
 
-/// Drops (weight 0) every bond of owned slots with a melted end, so that both ends lose it. The energy of
-/// these slots is recomputed at the positions of the last force evaluation, and the loss is added to
+/// Drops (weight 0) every bond of owned solids with a melted end, so that both ends lose it. The energy of
+/// these solids is recomputed at the positions of the last force evaluation, and the loss is added to
 /// phaseJump (J). Requires: called at the end of a step, after the update of the liquid fraction (with
-/// Solids::energy up to date) and before anything moves. Returns the number of slots that lost bonds.
+/// Solids::energy up to date) and before anything moves. Returns the number of solids that lost bonds.
 std::int64_t dropMeltedBonds(ElasticWork& work, const Continuum& particles, Solids& solids, Bonds& bonds,
                              ExactSum& phaseJump);
 

@@ -121,11 +121,11 @@ void updateSurface(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t) {
   prepareParticles(w.scene, w.surface, halos, t);
   t.times.lap(SurfacePhase::Fields);
   renewSurfels(w, halos, t);
-  const std::int64_t bare = resurfaceExposed(w, halos, t);
+  const std::int64_t resurfaced = resurfaceExposed(w, halos, t);
   t.times.lap(SurfacePhase::Growth);
   // Resampling closes seams of merges and new faces before the iterations; holes from motion are closed
   // afterwards.
-  if (s.counters.splits + s.counters.merges > s.changesBefore || bare > 0)
+  if (s.counters.splits + s.counters.merges > s.changesBefore || resurfaced > 0)
     resampleOnParticles(w, halos, t, 24);
   t.times.lap(SurfacePhase::Resampling);
   listIsoOffsets(w.scene, w.surface, t.relax.isoOffset);

@@ -190,8 +190,8 @@ void recordResistance(const WallContext& x, std::span<const DissipativeForce> di
   Continuum& p = x.world.particles;
   for (const DissipativeForce& r : dissipativeForce) {
     if (p.drag.active) p.drag[r.row] += r.force;
-    p.dissipation[r.row] -= dot(r.force,
-                                halfKick(x, r.row, p.fastAcceleration.active && p.slot[r.row] != noSlot));
+    p.dissipation[r.row] -= dot(
+        r.force, halfKick(x, r.row, p.fastAcceleration.active && p.solidIndex[r.row] != noSolid));
   }
 }
 
@@ -222,7 +222,7 @@ void addWallForces(const WallContext& x, double inverseLatticeSum, WallContacts&
     }
     const Material& m = w.scene.materials[p.material[i]];
     const double density = restDensityOf(p, w.scene.materials, i);
-    const bool substeps = p.fastAcceleration.active && p.slot[i] != noSlot;
+    const bool substeps = p.fastAcceleration.active && p.solidIndex[i] != noSolid;
     WallAction act, often;  // often: the part that acts in every substep
     FrictionSpring friction(p, i, x.dt, m);
     for (; c < list.size() && list[c].row == i; c++) {
@@ -334,7 +334,7 @@ void addSubstepContacts(const WallContext& x, std::vector<WallContact>& contacts
       if (!wall.properties.motion.empty()) w.ledger.wallWork.add(dot(act.force - before, v) * x.dt);
     }
     friction.store();
-    Vec3d& force = w.solids.force[p.slot[i]];
+    Vec3d& force = w.solids.force[p.solidIndex[i]];
     force += act.force;
     const Vec3d half = p.clamped.active && p.clamped[i] ? Vec3d{} : force * (0.5 * x.dt / p.mass[i]);
     p.dissipated[i] += (act.lost - dot(act.dissipativeForce, half)) * x.dt;

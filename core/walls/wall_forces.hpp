@@ -89,9 +89,10 @@ void recordResistance(const WallContext& context, std::span<const DissipativeFor
 /// after all forces except those of the viscous solver, which records its own.
 void recordClamps(const WallContext& context, WallContacts& contacts);
 
-/// Substeps: findSubstepContacts lists contacts, by row, of slots that may touch a wall before the step ends.
-/// followContact updates one. addSubstepContacts adds springs, dashpots and friction at a later position to
-/// Solids::force. Work, impulse and losses over context.dt are recorded in the ledger and the particles.
+/// Substeps: findSubstepContacts lists contacts, by row, of solids that may touch a wall before the step
+/// ends. followContact updates one. addSubstepContacts adds springs, dashpots and friction at a later
+/// position to Solids::force. Work, impulse and losses over context.dt are recorded in the ledger and the
+/// particles.
 void findSubstepContacts(const WallView& world, std::vector<WallContact>& contacts);
 bool followContact(const Continuum& particles, const Scene& scene, const Walls& walls,
                    WallContact& contact);  ///< updates distance and normal to the current

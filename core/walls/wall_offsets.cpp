@@ -9,14 +9,14 @@ namespace thaw {
 namespace {
 
 /// Outward direction of the body's surface at a particle, not normalised.
-Vec3d outward(const WallView& w, const Bonds& bonds, std::uint32_t slot) {
+Vec3d outward(const WallView& w, const Bonds& bonds, std::uint32_t solidIndex) {
   const Column<Vec3d>& x = w.solids.position;
   const double h2 = w.grid.support * w.grid.support;
   const Periods periods = periodsOf(w.grid);
   Vec3d sum{};
   for (int k = 0; k < bonds.capacity; k++) {
-    if (!bonds.hasBond(slot, k)) continue;
-    const Vec3d d = minimumImage(x[slot] - x[bonds.neighbour[bonds.at(slot, k)]], periods);
+    if (!bonds.hasBond(solidIndex, k)) continue;
+    const Vec3d d = minimumImage(x[solidIndex] - x[bonds.neighbour[bonds.at(solidIndex, k)]], periods);
     sum += d * std::max(0.0, 1 - dot(d, d) / h2);
   }
   return sum;
@@ -38,9 +38,9 @@ double offsetOf(const WallView& w, const Bonds& bonds, const WallContact& contac
   const Continuum& p = w.particles;
   const std::uint32_t i = contact.row;
   const double depth = static_cast<double>(p.contactDepth[i]);
-  if (!(depth > 0 && depth < longestSpring) || p.slot[i] == noSlot) return longestSpring;
+  if (!(depth > 0 && depth < longestSpring) || p.solidIndex[i] == noSolid) return longestSpring;
   if (!keepsSurface(w.scene.materials[p.material[i]])) return longestSpring;
-  const Vec3d out = outward(w, bonds, p.slot[i]);
+  const Vec3d out = outward(w, bonds, p.solidIndex[i]);
   const double size = length(out);
   if (!(size > 0)) return longestSpring;
   return longestSpring + (depth - longestSpring) * facingShare(-dot(out, contact.normal) / size);

@@ -64,7 +64,7 @@ struct CheckpointHeader {
   Counters counters;
   Ledger ledger;
   SurfaceRecord surface;
-  MonitorState watch;  ///< snapshotStep is -1 in files of versions without it
+  MonitorState monitor;  ///< snapshotStep is -1 in files of versions without it
   CheckpointValues values;
   std::string code, commit, sceneName, sceneText;
   std::int64_t ranks = 0;
@@ -93,7 +93,7 @@ struct CheckpointSlice {
 /// Writes a checkpoint into the older of the two files: owned particles, solids and bonds, the clock, and the
 /// sums over ranks of ledger and counters. The file is synced to disk, read back and compared before it gets
 /// its name. Returns its path. On failure throws the same IoError on all ranks, and the existing checkpoints
-/// remain. Requires: Continuum::slot is up to date. Collective.
+/// remain. Requires: Continuum::solidIndex is up to date. Collective.
 std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const World& world, const RunStamp& stamp,
                             const CheckpointValues& values = {});
 

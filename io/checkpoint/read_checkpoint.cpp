@@ -133,11 +133,11 @@ CheckpointHeader headerOf(const H5File& file) {
       h.bodyTypeRows[k] = file.shape(ids).rows;
   for (const NamedCount& c : countsOf(h.counters))
     if (file.hasAttribute(at + "/counters", c.name)) *c.count = file.integer(at + "/counters", c.name);
-  if (file.has(at + "/watch")) {
-    for (const NamedReal& v : realsOf(h.watch))
-      if (file.hasAttribute(at + "/watch", v.name)) *v.value = file.number(at + "/watch", v.name);
-    for (const NamedCount& c : countsOf(h.watch))
-      if (file.hasAttribute(at + "/watch", c.name)) *c.count = file.integer(at + "/watch", c.name);
+  if (file.has(at + "/monitor")) {
+    for (const NamedReal& v : realsOf(h.monitor))
+      if (file.hasAttribute(at + "/monitor", v.name)) *v.value = file.number(at + "/monitor", v.name);
+    for (const NamedCount& c : countsOf(h.monitor))
+      if (file.hasAttribute(at + "/monitor", c.name)) *c.count = file.integer(at + "/monitor", c.name);
   }
   for (const NamedSum& s : sumsOf(h.ledger)) {
     const std::string name = at + "/ledger/" + s.name;
@@ -296,7 +296,7 @@ std::vector<std::byte> restoreWorld(World& w, const CheckpointSlice& s, bool fir
   if (w.surface.surfels.id.active) takeOver(s.surfels, w.surface.surfels);
   restoreSurfaceRecord(h.surface, w.surface);
   forEachBodyType(w, [&](std::size_t kind, BodyTypeRows& r, const CellTable&) { takeOver(s.kind(kind), r); });
-  if (p.slot.active) std::fill_n(p.slot.data(), p.owned, noSlot);
+  if (p.solidIndex.active) std::fill_n(p.solidIndex.data(), p.owned, noSolid);
 
   const double end = w.clock.end, every = w.clock.every;
   w.clock = h.clock;
@@ -309,7 +309,7 @@ std::vector<std::byte> restoreWorld(World& w, const CheckpointSlice& s, bool fir
   w.ledger = firstRank ? h.ledger : Ledger{};
   w.ledger.initial = h.ledger.initial;
   w.ledger.sourceUse = h.ledger.sourceUse;
-  w.watch = h.watch;
+  w.monitor = h.monitor;
 
   if (h.solids > 0 && !w.solids.id.active)
     throw IoError(h.path, "has solid particles, but the scene has none: it was written for another scene");

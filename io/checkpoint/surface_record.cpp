@@ -18,7 +18,7 @@ template<class Use> void eachMember(const SurfaceComponent*, Use&& use) {
   use("volume", "m^3", Element::F64, &SurfaceComponent::volume);
   use("area", "m^2", Element::F64, &SurfaceComponent::area);
   use("centroid", "m", Element::F64, &SurfaceComponent::centroid);
-  use("raised", "m", Element::F64, &SurfaceComponent::isoOffset);
+  use("iso_offset", "m", Element::F64, &SurfaceComponent::isoOffset);
 }
 template<class Use> void eachMember(const SurfaceEvent*, Use&& use) {
   use("step", "1", Element::I64, &SurfaceEvent::step);

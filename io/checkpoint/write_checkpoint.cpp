@@ -16,21 +16,21 @@ namespace {
 
 /// Order in which the solids and bonds of this rank are written.
 struct SolidOrder {
-  std::vector<std::uint32_t> slots;      // solids of owned particles, ascending by particle
-  std::vector<std::uint64_t> particle;   // row of the particle in the file
-  std::vector<std::uint64_t> firstBond;  // first bond of each solid on this rank; one more at the end
+  std::vector<std::uint32_t> solidIndices;  // solids of owned particles, ascending by particle
+  std::vector<std::uint64_t> particle;      // row of the particle in the file
+  std::vector<std::uint64_t> firstBond;     // first bond of each solid on this rank; one more at the end
 };
 
 SolidOrder orderSolids(const Continuum& particles, const Bonds& bonds, std::uint64_t firstRow) {
   SolidOrder o;
   std::uint64_t count = 0;
-  for (std::size_t i = 0; particles.slot.active && i < particles.owned; i++) {
-    const std::uint32_t slot = particles.slot[i];
-    if (slot == noSlot) continue;
-    o.slots.push_back(slot);
+  for (std::size_t i = 0; particles.solidIndex.active && i < particles.owned; i++) {
+    const std::uint32_t solidIndex = particles.solidIndex[i];
+    if (solidIndex == noSolid) continue;
+    o.solidIndices.push_back(solidIndex);
     o.particle.push_back(firstRow + i);
     o.firstBond.push_back(count);
-    for (int k = 0; k < bonds.capacity; k++) count += bonds.hasBond(slot, k);
+    for (int k = 0; k < bonds.capacity; k++) count += bonds.hasBond(solidIndex, k);
   }
   o.firstBond.push_back(count);
   return o;
@@ -45,8 +45,8 @@ void eachBond(const Bonds& bonds, const SolidOrder& order, const RowRange& range
                       1;
   for (std::uint64_t at = order.firstBond[solid]; at < range.first + range.count; solid++)
     for (int k = 0; k < bonds.capacity && at < range.first + range.count; k++) {
-      if (!bonds.hasBond(order.slots[solid], k)) continue;
-      if (at >= range.first) use(at - range.first, bonds.at(order.slots[solid], k));
+      if (!bonds.hasBond(order.solidIndices[solid], k)) continue;
+      if (at >= range.first) use(at - range.first, bonds.at(order.solidIndices[solid], k));
       at++;
     }
 }
@@ -72,7 +72,7 @@ void addColumns(ParallelFileContent& content, const std::string& group, const Ta
     else
       d.fill = [c, order, bytes](const RowRange& local, std::byte* to) {
         for (std::uint64_t k = 0; k < local.count; k++)
-          std::memcpy(to + k * bytes, c->bytes.data() + order->slots[local.first + k] * bytes, bytes);
+          std::memcpy(to + k * bytes, c->bytes.data() + order->solidIndices[local.first + k] * bytes, bytes);
       };
     content.datasets.push_back(std::move(d));
   }
@@ -112,7 +112,7 @@ void addBonds(ParallelFileContent& content, const Bonds& b, const Solids& solids
 }
 
 void writeHeader(H5File& file, const CheckpointHeader& h) {
-  MonitorState watch = h.watch;
+  MonitorState monitor = h.monitor;
   const std::string at = "/checkpoint";
   file.setInteger(at, "format", checkpointFormat);
   file.setInteger(at, "sequence", h.sequence);
@@ -126,9 +126,9 @@ void writeHeader(H5File& file, const CheckpointHeader& h) {
   if (h.clock.substeps > 1) file.setInteger(at, "substeps", h.clock.substeps);
   file.setText(at, "limited_by", h.limitedBy);
   file.setInteger(at, "two_frames", h.twoFrames);
-  file.createGroup(at + "/watch");
-  for (const NamedReal& v : realsOf(watch)) file.setNumber(at + "/watch", v.name, *v.value);
-  for (const NamedCount& c : countsOf(watch)) file.setInteger(at + "/watch", c.name, *c.count);
+  file.createGroup(at + "/monitor");
+  for (const NamedReal& v : realsOf(monitor)) file.setNumber(at + "/monitor", v.name, *v.value);
+  for (const NamedCount& c : countsOf(monitor)) file.setInteger(at + "/monitor", c.name, *c.count);
   Ledger ledger = h.ledger;
   Counters counters = h.counters;
   file.createGroup(at + "/counters");
@@ -166,13 +166,13 @@ void writeState(const std::string& path, std::int64_t sequence, MPI_Comm comm, c
   h.twoFrames = w.bonds.twoFrames;
   h.counters = globalCounters(w.counters, all);
   h.ledger = globalLedger(w.ledger, all);
-  h.watch = w.watch;
+  h.monitor = w.monitor;
   h.values = values;
   h.sequence = sequence;
   h.surface = surfaceRecordOf(w.surface);
   const Spread particles = spreadRows(comm, w.particles.owned);
   const SolidOrder order = orderSolids(w.particles, w.bonds, particles.mine.first);
-  const Spread solids = spreadRows(comm, order.slots.size()),
+  const Spread solids = spreadRows(comm, order.solidIndices.size()),
                bonds = spreadRows(comm, order.firstBond.back());
   ParallelFileContent content;
   content.checked = true;
@@ -255,7 +255,7 @@ std::string writeSnapshot(const std::string& out, MPI_Comm comm, const WorldSnap
 void dropUnusedSnapshots(const std::string& out) {
   std::vector<std::string> used, problems;
   for (const CheckpointHeader& h : findCheckpoints(out, &problems))
-    used.push_back(snapshotFilePath(out, h.watch.snapshotStep));
+    used.push_back(snapshotFilePath(out, h.monitor.snapshotStep));
   if (!problems.empty()) return;  // an unreadable checkpoint may need one
   std::error_code error;
   std::vector<std::filesystem::path> unused;

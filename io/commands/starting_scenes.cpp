@@ -175,12 +175,12 @@ cfl          = 0.5        # step length relative to the limit
 damping      = 12
 spin_damping = 12
 
-[[oriented.anchor]]       # fixes the particles inside this box
+[[oriented.constraint]]       # fixes the particles inside this box
 box    = { size = [0.05, 1, 0.2] }
 place  = { move = [-0.3, 0, 0] }
 normal = true
 
-[[oriented.anchor]]       # lifts the other end
+[[oriented.constraint]]       # lifts the other end
 box    = { size = [0.05, 1, 0.2] }
 place  = { move = [0.3, 0, 0] }
 motion = [ { time = 0 }, { time = "1.5 s", move = [-0.1, 0, 0.3] } ]

@@ -58,10 +58,10 @@ void openCheckpoint(Snapshot& s) {
   s.numbers = {real("time", "s", h.clock.time), whole("step", h.clock.step), real("dt", "s", h.clock.dt)};
   for (const NamedCount& c : countsOf(h.counters))
     s.numbers.push_back(whole(std::string("counter ") + c.name, *c.count));
-  for (const NamedReal& v : realsOf(h.watch))
-    s.numbers.push_back(real(std::string("watch ") + v.name, "", *v.value));
-  for (const NamedCount& c : countsOf(h.watch))
-    s.numbers.push_back(whole(std::string("watch ") + c.name, *c.count));
+  for (const NamedReal& v : realsOf(h.monitor))
+    s.numbers.push_back(real(std::string("monitor ") + v.name, "", *v.value));
+  for (const NamedCount& c : countsOf(h.monitor))
+    s.numbers.push_back(whole(std::string("monitor ") + c.name, *c.count));
   for (const NamedSum& x : sumsOf(h.ledger))
     s.numbers.push_back({std::string("ledger ") + x.name,
                          x.unit,
@@ -91,7 +91,7 @@ void openCheckpoint(Snapshot& s) {
     if (const std::string group = std::string("/") + kind; s.file.has(group + "/id"))
       s.tables.push_back(tableOf(s.file, kind, group, {}));
   if (!s.file.has("/solids/id")) return;
-  // "changed" marks slots whose A^-1 is recomputed after migration; it affects no bits
+  // "changed" marks solids whose A^-1 is recomputed after migration; it affects no bits
   SnapshotTable solids = tableOf(s.file, "solids", "/solids", {"changed"});
   solids.firstBond = readRows<std::uint64_t>(s.file, "/order/first_bond", Element::U64);
   solids.firstBond.push_back(h.bonds);

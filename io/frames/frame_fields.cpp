@@ -19,33 +19,33 @@ void put6(const Sym3d& s, float* to) {
 }
 
 /// Returns the number of bonds of a solid.
-std::uint16_t bondsOf(const Bonds& b, std::uint32_t slot) {
+std::uint16_t bondsOf(const Bonds& b, std::uint32_t solidIndex) {
   std::uint16_t count = 0;
-  for (int k = 0; k < b.capacity; k++) count = static_cast<std::uint16_t>(count + b.hasBond(slot, k));
+  for (int k = 0; k < b.capacity; k++) count = static_cast<std::uint16_t>(count + b.hasBond(solidIndex, k));
   return count;
 }
 
-std::uint32_t slotOf(const Continuum& particles, const Solids& solids, std::size_t row) {
-  if (!particles.slot.active) return noSlot;
-  const std::uint32_t slot = particles.slot[row];
-  return slot < solids.owned ? slot : noSlot;
+std::uint32_t solidIndexOf(const Continuum& particles, const Solids& solids, std::size_t row) {
+  if (!particles.solidIndex.active) return noSolid;
+  const std::uint32_t solidIndex = particles.solidIndex[row];
+  return solidIndex < solids.owned ? solidIndex : noSolid;
 }
 
-/// Adds a symmetric tensor of the solids: value(slot), 0 for liquids and if `there` is false.
+/// Adds a symmetric tensor of the solids: value(solid), 0 for liquids and if `there` is false.
 template<class Value>
 void addTensor(Frame& f, const World& w, const char* name, const char* unit, bool there, Value value) {
   addRows<float>(f, name, unit, 6, [&w, there, value](std::size_t i, float* to) {
-    const std::uint32_t slot = there ? slotOf(w.particles, w.solids, i) : noSlot;
-    put6(slot == noSlot ? Sym3d{} : value(slot), to);
+    const std::uint32_t solidIndex = there ? solidIndexOf(w.particles, w.solids, i) : noSolid;
+    put6(solidIndex == noSolid ? Sym3d{} : value(solidIndex), to);
   });
 }
 
 /// Adds Green's strain (F^T F - 1)/2, with F from the first reference.
 void addStrain(Frame& f, const World& w) {
   const Solids& s = w.solids;
-  addTensor(f, w, "strain", "1", s.deformation.active, [&s](std::uint32_t slot) {
-    Mat3d F = s.deformation[slot];
-    if (s.referenceGradient.active) F = F + F * s.referenceGradient[slot];
+  addTensor(f, w, "strain", "1", s.deformation.active, [&s](std::uint32_t solidIndex) {
+    Mat3d F = s.deformation[solidIndex];
+    if (s.referenceGradient.active) F = F + F * s.referenceGradient[solidIndex];
     return 0.5 * symmetric(transpose(F) * F - identity3<double>());
   });
 }
@@ -105,11 +105,11 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
   } else if (name == "density") {
     // Only liquid has a summed density. The density of a solid follows from its volume, V = det Fe V0.
     addRows<float>(f, "density", "kg/m^3", 1, [&w, &p, &s, &materials](std::size_t i, float* to) {
-      const std::uint32_t slot = slotOf(w.particles, w.solids, i);
+      const std::uint32_t solidIndex = solidIndexOf(w.particles, w.solids, i);
       double share = 1;
-      if (slot != noSlot && s.deformation.active) {
-        const Mat3d& F = s.deformation[slot];
-        share = 1 / determinant(s.plasticInverse.active ? F + F * s.plasticInverse[slot] : F);
+      if (solidIndex != noSolid && s.deformation.active) {
+        const Mat3d& F = s.deformation[solidIndex];
+        share = 1 / determinant(s.plasticInverse.active ? F + F * s.plasticInverse[solidIndex] : F);
       } else if (p.relativeDensity.active && (!p.phase.active || p.phase[i] == Liquid))
         share = static_cast<double>(p.relativeDensity[i]);
       *to = static_cast<float>(restDensityOf(p, materials, i) * share);
@@ -126,13 +126,14 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
   } else if (name == "viscosity") {
     addViscosity(f, p, materials);
   } else if (name == "stress") {
-    addTensor(f, w, "stress", "Pa", s.stress.active, [&s](std::uint32_t slot) { return s.stress[slot]; });
+    addTensor(f, w, "stress", "Pa", s.stress.active,
+              [&s](std::uint32_t solidIndex) { return s.stress[solidIndex]; });
   } else if (name == "strain") {
     addStrain(f, w);
   } else if (name == "plastic_strain") {
-    addTensor(f, w, "plastic_strain", "1", s.plasticInverse.active, [&s](std::uint32_t slot) {
-      return plasticStrain(s.plasticInverse[slot],
-                           s.referenceGradient.active ? s.referenceGradient[slot] : Mat3d{});
+    addTensor(f, w, "plastic_strain", "1", s.plasticInverse.active, [&s](std::uint32_t solidIndex) {
+      return plasticStrain(s.plasticInverse[solidIndex],
+                           s.referenceGradient.active ? s.referenceGradient[solidIndex] : Mat3d{});
     });
   } else if (name == "material") {
     addRows<std::uint16_t>(f, "material", "1", 1,
@@ -146,11 +147,11 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
   } else if (name == "neighbours") {
     // The neighbours of a solid particle are its bonds. Scenes of solids alone have no neighbour search.
     addRows<std::uint16_t>(f, "neighbours", "1", 1, [&w](std::size_t i, std::uint16_t* to) {
-      const std::uint32_t slot = slotOf(w.particles, w.solids, i);
-      *to = slot == noSlot
+      const std::uint32_t solidIndex = solidIndexOf(w.particles, w.solids, i);
+      *to = solid == noSolid
                 ? (w.modules.neighbours && i < w.neighbours.neighbours.size() ? w.neighbours.neighbours[i]
                                                                               : std::uint16_t(0))
-                : bondsOf(w.bonds, slot);
+                : bondsOf(w.bonds, solidIndex);
     });
   } else if (name != "id") {
     throw std::invalid_argument("unknown field '" + name + "' of frames");

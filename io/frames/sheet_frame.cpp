@@ -28,20 +28,20 @@ void addSheetTriangles(SheetBodies& b, BondHalo& halo, std::uint64_t firstRow, F
   Solids& e = b.edges.ends;
   f.meshed = true;
   // Send the row numbers by the exchange of positions. Forces send the positions again before they need them.
-  for (std::size_t slot = 0; slot < e.owned; slot++)
-    e.position[slot] = {static_cast<double>(firstRow + e.particle[slot]), 0, 0};
+  for (std::size_t solidIndex = 0; solidIndex < e.owned; solidIndex++)
+    e.position[solidIndex] = {static_cast<double>(firstRow + e.particle[solidIndex]), 0, 0};
   const std::array<AnyColumn*, 1> columns{&e.position};
   halo.begin(e, columns);
   halo.finish(e);
-  for (std::size_t slot = 0; slot < e.owned; slot++)
+  for (std::size_t solidIndex = 0; solidIndex < e.owned; solidIndex++)
     for (int k = 0; k < b.edges.bonds.capacity; k++) {
-      const int next = triangleWith(b.edges.bonds, slot, k);
+      const int next = triangleWith(b.edges.bonds, solidIndex, k);
       if (next < 0) continue;
-      const std::uint32_t p = b.edges.bonds.neighbour[b.edges.bonds.at(slot, k)],
-                          q = b.edges.bonds.neighbour[b.edges.bonds.at(slot, next)];
-      if (e.id[slot] > e.id[p] || e.id[slot] > e.id[q])
+      const std::uint32_t p = b.edges.bonds.neighbour[b.edges.bonds.at(solidIndex, k)],
+                          q = b.edges.bonds.neighbour[b.edges.bonds.at(solidIndex, next)];
+      if (e.id[solidIndex] > e.id[p] || e.id[solidIndex] > e.id[q])
         continue;  // each triangle once, from its first corner
-      for (const std::size_t row : {slot, static_cast<std::size_t>(p), static_cast<std::size_t>(q)})
+      for (const std::size_t row : {solidIndex, static_cast<std::size_t>(p), static_cast<std::size_t>(q)})
         f.triangles.push_back(static_cast<std::uint64_t>(e.position[row].x));
     }
 }

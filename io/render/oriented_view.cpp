@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr float golden = 2.39996323f;
-constexpr Rgb held{200, 60, 60};  // fixed particles are red
+constexpr Rgb fixedColour{200, 60, 60};  // fixed particles are red
 
 Rgb paintOf(const OrientedFrame& f, std::size_t i) {
   return {f.colours[i][0], f.colours[i][1], f.colours[i][2]};
@@ -74,8 +74,8 @@ void addIsolated(FrameView& view, const OrientedFrame& f,
     if (shown[i]) continue;
     const double s = f.spacings[i];
     const auto component = static_cast<std::uint32_t>(5000 + i);
-    addBall(view, single(f.positions[i]), static_cast<float>(0.22 * s), f.flags[i] & 2 ? held : paintOf(f, i),
-            component);
+    addBall(view, single(f.positions[i]), static_cast<float>(0.22 * s),
+            f.flags[i] & 2 ? fixedColour : paintOf(f, i), component);
     addRod(view, f.positions[i], f.positions[i] + (0.8 * s) * f.normals[i], 0.05 * s, {70, 110, 210},
            component);
   }
@@ -132,7 +132,7 @@ void addOriented(FrameView& view, const fs::path& frame, OrientedLook look) {
   for (std::size_t i = 0; i < f.positions.size(); i++) {
     const auto component = static_cast<std::uint32_t>(5000 + i);
     const double s = f.spacings[i];
-    const Rgb colour = f.flags[i] & 2 ? held : paintOf(f, i);
+    const Rgb colour = f.flags[i] & 2 ? fixedColour : paintOf(f, i);
     if (look == OrientedLook::Discs) {
       addDisc(view, single(f.positions[i]), single(f.normals[i]), static_cast<float>(0.36 * s), colour,
               component, true);

@@ -64,7 +64,7 @@ std::string failedCheck(const World& w, const StepTools& t, const StepOutcome& o
       return fmt::format(
           "the time step, limited by {}, fell to {:.3g} s{}, below `numerics.watch_step` ({:.3g} s)",
           limitNames[static_cast<std::size_t>(o.limitedBy)], w.clock.dt,
-          w.watch.halvings > 0 ? fmt::format(", halved {} times", w.watch.halvings) : "", b.step);
+          w.monitor.halvings > 0 ? fmt::format(", halved {} times", w.monitor.halvings) : "", b.step);
     case Failure::Inverted:
       return fmt::format(
           "the fraction of inverted solid particles exceeds `numerics.watch_inverted` ({:.3g})", b.inverted);
@@ -72,7 +72,7 @@ std::string failedCheck(const World& w, const StepTools& t, const StepOutcome& o
       return fmt::format(
           "unexplained gain of mechanical energy since step {}, more than {:.3g} times the largest term of "
           "the ledger (`numerics.watch_energy`)",
-          w.watch.snapshotStep, b.energy);
+          w.monitor.snapshotStep, b.energy);
     case Failure::Growth:
       return fmt::format(
           "unexplained gain of mechanical energy since the run began, more than {:.3g} times the largest "
@@ -112,8 +112,8 @@ std::string failureText(World& w, StepTools& t, const StepOutcome& o, const Fail
   line += f.atWall ? "; it is at a wall)" : ")";
   if (p.phase[i] == Liquid && p.relativeDensity.active)
     line += fmt::format(", density {:.3g} of that at rest", static_cast<double>(p.relativeDensity[i]));
-  if (p.slot.active && p.slot[i] != noSlot && p.slot[i] < w.solids.owned)
-    line += fmt::format(", det F {:.3g}", determinant(w.solids.deformation[p.slot[i]]));
+  if (p.solidIndex.active && p.solidIndex[i] != noSolid && p.solidIndex[i] < w.solids.owned)
+    line += fmt::format(", det F {:.3g}", determinant(w.solids.deformation[p.solidIndex[i]]));
   return line;
 }
 

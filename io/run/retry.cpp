@@ -31,7 +31,7 @@ void restoreLastSnapshot(Run& r) {
   std::unique_ptr<CheckpointSlice> slice;
   // May throw; the world is still unchanged.
   if (!r.snapshotInMemory)
-    slice = readCheckpoint(snapshotFilePath(r.options.out, w.watch.snapshotStep), r.comm.handle());
+    slice = readCheckpoint(snapshotFilePath(r.options.out, w.monitor.snapshotStep), r.comm.handle());
   emptyWorld(w, r.tools);
   r.makeHalos();
   if (w.modules.surface) renewSurfaceHalos(r);
@@ -57,14 +57,14 @@ void removeFramesAfterSnapshot(Run& r) {
 }
 
 /// Returns the attempted retries and the reason for no further one; "" without retries.
-std::string triedText(const Run& r, const MonitorState& watch) {
+std::string triedText(const Run& r, const MonitorState& monitor) {
   const Numerics& n = r.world.scene.numerics;
   if (!retries(r) || n.retries == 0) return "";
   std::string text;
-  if (watch.failures > 0)
-    text = fmt::format("; {} retries from step {} with steps down to 1/{} did not help", watch.failures,
-                       watch.snapshotStep, std::int64_t(1) << watch.halvings);
-  if (watch.failures < n.retries && retryTooShort(r.world.watch, r.world.clock, r.tools.limits.monitor))
+  if (monitor.failures > 0)
+    text = fmt::format("; {} retries from step {} with steps down to 1/{} did not help", monitor.failures,
+                       monitor.snapshotStep, std::int64_t(1) << monitor.halvings);
+  if (monitor.failures < n.retries && retryTooShort(r.world.monitor, r.world.clock, r.tools.limits.monitor))
     text += fmt::format("; half the step would be below {:.3g} s (`numerics.watch_step`)",
                         r.tools.limits.monitor.step);
   return text;
@@ -82,10 +82,10 @@ std::string keepSnapshot(Run& r) {
 void beginRetries(Run& r) {
   World& w = r.world;
   if (!retries(r)) {
-    w.watch.snapshotStep = -1;
+    w.monitor.snapshotStep = -1;
     return;
   }
-  const std::int64_t step = w.clock.step, good = w.watch.snapshotStep;
+  const std::int64_t step = w.clock.step, good = w.monitor.snapshotStep;
   if (good >= 0 && good < step && step % w.scene.numerics.retryEvery != 0) {
     int there = 0;
     onDisk(r, [&] {
@@ -98,7 +98,7 @@ void beginRetries(Run& r) {
     r.warn(fmt::format("{} is missing: a retry can only go back to step {}",
                        snapshotFilePath(r.options.out, good), step));
   }
-  if (good != step) acceptState(w.watch, w.clock, reportLedger(w, r.tools, r.all));
+  if (good != step) acceptState(w.monitor, w.clock, reportLedger(w, r.tools, r.all));
   findStoredEnergy(w, r.tools);
   takeSnapshot(w, r.good);
   r.snapshotInMemory = true;
@@ -108,7 +108,7 @@ bool snapshotDue(const Run& r) {
   return retries(r) && r.world.clock.step % r.world.scene.numerics.retryEvery == 0;
 }
 
-bool atSnapshot(const Run& r) { return !retries(r) || r.world.watch.snapshotStep == r.world.clock.step; }
+bool atSnapshot(const Run& r) { return !retries(r) || r.world.monitor.snapshotStep == r.world.clock.step; }
 
 Failure checkLedgerOf(Run& r) {
   r.tools.times.start();
@@ -120,7 +120,7 @@ Failure checkLedgerOf(Run& r) {
 
 void acceptSnapshot(Run& r) {
   r.tools.times.start();
-  acceptState(r.world.watch, r.world.clock, r.snapshotLedger);
+  acceptState(r.world.monitor, r.world.clock, r.snapshotLedger);
   findStoredEnergy(r.world, r.tools);
   takeSnapshot(r.world, r.good);
   r.snapshotInMemory = true;
@@ -139,7 +139,7 @@ void writeLastSnapshot(Run& r) {
   World& w = r.world;
   if (atSnapshot(r)) return;
   if (w.clock.time >= w.clock.end) {  // The run has ended. A later end starts a new period of the check.
-    acceptState(w.watch, w.clock, reportLedger(w, r.tools, r.all));
+    acceptState(w.monitor, w.clock, reportLedger(w, r.tools, r.all));
     return;
   }
   if (r.snapshotOnDisk || !r.writes()) return;
@@ -150,7 +150,7 @@ void writeLastSnapshot(Run& r) {
 bool rollBack(Run& r, const StepOutcome& failed, std::string& why) {
   World& w = r.world;
   const Clock clock = w.clock;
-  const MonitorState watch = w.watch;
+  const MonitorState monitor = w.monitor;
   findStoredEnergy(w, r.tools);
   const FailingParticle s = findFailingParticle(w, failed.failure, failed.limitedBy, r.all);
   const std::string ofBodyTypes = bodyTypeFailure(w, r.tools, failed, r.all);  // on at most one rank
@@ -163,16 +163,16 @@ bool rollBack(Run& r, const StepOutcome& failed, std::string& why) {
   const std::string when = fmt::format("step {}, t {:.9g} s, dt {:.3g} s", clock.step, clock.time,
                                        clock.stepDt);
   std::string problem;
-  if (mayRetry(w.scene.numerics, w.watch, w.clock, r.tools.limits.monitor)) {
+  if (mayRetry(w.scene.numerics, w.monitor, w.clock, r.tools.limits.monitor)) {
     try {
       const std::int64_t mine = w.counters.retries + (r.first() ? 1 : 0);
       restoreLastSnapshot(r);
       w.counters.retries = mine;
-      halveStep(w.watch, w.clock, w.scene, watch, clock.time);
+      halveStep(w.monitor, w.clock, w.scene, monitor, clock.time);
       removeFramesAfterSnapshot(r);
       const std::string line = fmt::format(
           "failed at {}: {}; back to step {}, t {:.6g} s, with 1/{} of the step", when, what, w.clock.step,
-          w.clock.time, std::int64_t(1) << w.watch.halvings);
+          w.clock.time, std::int64_t(1) << w.monitor.halvings);
       if (r.summary.warnings.size() < mostLines) r.warn(line);
       else r.say("warning: " + line);
       r.firstStep -= clock.step - w.clock.step;  // counts the steps that were done
@@ -184,7 +184,7 @@ bool rollBack(Run& r, const StepOutcome& failed, std::string& why) {
     }
   }
   if (r.writes()) problem += keepSnapshot(r);
-  why = fmt::format("blew up at {}: {}{}{}", when, what, triedText(r, watch), problem);
+  why = fmt::format("blew up at {}: {}{}{}", when, what, triedText(r, monitor), problem);
   return false;
 }
 

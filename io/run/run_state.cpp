@@ -11,7 +11,7 @@
 #include "core/simulation/monitor/interpenetration.hpp"
 #include "core/simulation/sums/stored_energy.hpp"
 #include "core/sleep/awake_reason.hpp"
-#include "core/solid/elasticity/active_slots.hpp"
+#include "core/solid/elasticity/active_solids.hpp"
 #include "core/surface/resume_surface.hpp"
 #include "core/time/frame_times.hpp"
 #include "io/frames/frame_fields.hpp"
@@ -53,7 +53,7 @@ void summariseWithoutState(Run& r, const std::string& status, const std::string&
 
 /// Prints the progress of relaxation, and lets stop requests end it.
 void watchRelaxation(Run& r) {
-  r.tools.oriented.stopRelaxing = [&r, watch = stopMonitorOf(r),
+  r.tools.oriented.stopRelaxing = [&r, monitor = stopMonitorOf(r),
                                    said = WallClock::now()](std::int64_t done) mutable {
     if (r.first() && done > 0 && since(said) >= r.options.reportEvery) {
       said = WallClock::now();
@@ -62,7 +62,7 @@ void watchRelaxation(Run& r) {
                       "spacing, {} particles, {:.1f} s",
                       done, r.tools.oriented.unrest, r.tools.oriented.relaxing, since(r.startedAt)));
     }
-    return !watch.reason().empty();
+    return !monitor.reason().empty();
   };
 }
 
@@ -130,13 +130,13 @@ void onDisk(const Run& r, const std::function<void()>& work) {
 }
 
 StopMonitor stopMonitorOf(const Run& r) {
-  StopMonitor watch;
+  StopMonitor monitor;
   if (r.first()) {
-    if (r.writes()) watch.stopFile = r.options.out + "/stop";
-    watch.timeLimit = r.options.timeLimit;
-    watch.start = r.startedAt;
+    if (r.writes()) monitor.stopFile = r.options.out + "/stop";
+    monitor.timeLimit = r.options.timeLimit;
+    monitor.start = r.startedAt;
   }
-  return watch;
+  return monitor;
 }
 
 void renewSurfaceHalos(Run& r) { r.surface = std::make_unique<SurfaceRanks>(r.comm, r.world.surface.grid); }
@@ -193,13 +193,14 @@ std::string sleepText(Run& r) {
   constexpr const char* words[awakeReasons] = {"have awake neighbours", "are not solid", "move", "accelerate",
                                                "change temperature"};
   std::string why;
-  std::int64_t held = counts[1] - counts[0];
+  std::int64_t unexplained = counts[1] - counts[0];
   for (const std::size_t k : {1u, 2u, 3u, 4u, 0u}) {
-    held -= counts[2 + k];
+    unexplained -= counts[2 + k];
     if (counts[2 + k] > 0)
       why += fmt::format("{}{} {}", why.empty() ? " (awake: " : ", ", counts[2 + k], words[k]);
   }
-  if (held > 0) why += fmt::format("{}{} at rest, but not yet sleeping", why.empty() ? " (" : "; ", held);
+  if (unexplained > 0)
+    why += fmt::format("{}{} at rest, but not yet sleeping", why.empty() ? " (" : "; ", unexplained);
   return fmt::format("  sleeping {}{}", counts[0], why.empty() ? "" : why + ")");
 }
 
@@ -421,11 +422,11 @@ void continueRun(Run& r, const CheckpointSlice& slice, const MeshLoader& load) {
   onDisk(r, [&] { makeOutputFolders(r.options.out); });
   warnOfChanges(r, then, changes);
   // Retries with other settings do not count.
-  if (changes.any()) w.watch.failures = 0;
+  if (changes.any()) w.monitor.failures = 0;
   resumeWorld(w, r.halos(), r.tools);
   if (!changes.coefficients.empty()) {
     applyNewCoefficients(w, r.halos(), r.tools);
-    w.watch.snapshotStep = -1;  // earlier snapshots have the energies of the old coefficients
+    w.monitor.snapshotStep = -1;  // earlier snapshots have the energies of the old coefficients
   }
   if (w.modules.surface) resumeSurface(w.surface, r.surface->halos(), r.surfaceTools);
   w.clock.limitedBy = "from the checkpoint";

@@ -3,7 +3,7 @@
 
 #include "core/simulation/sums/solid_step.hpp"
 #include "core/simulation/views/views.hpp"
-#include "core/solid/elasticity/active_slots.hpp"
+#include "core/solid/elasticity/active_solids.hpp"
 #include "core/surface/surfel_velocities.hpp"
 #include "io/frames/surface_frame.hpp"
 #include "io/hdf5/collective_error.hpp"
@@ -30,7 +30,7 @@ void beginSurface(Run& r, const MeshLoader& load) {
 void resumeSurfaceOutput(Run& r) {
   onDisk(r, [&] {
     r.surfaceSeries = framesPresent(r.options.out, surfaceName(r.name), r.world.clock.time);
-    r.summary.surface.held = truncateComponentLog(r.options.out, r.world.clock.step);
+    r.summary.surface.volumeErrors = truncateComponentLog(r.options.out, r.world.clock.step);
     writeEventLog(r.options.out, r.world.surface.events);
   });
 }
@@ -63,13 +63,13 @@ void writeSurfaceFrameOf(Run& r) {
     r.surfaceSeries.push_back({file, w.clock.time});
     writeSeries(seriesPath(r.options.out, name), r.surfaceSeries);
     addToComponentLog(r.options.out, w.surface, w.clock);
-    recordVolumes(r.summary.surface.held, w.surface.components, w.clock.time);
+    recordVolumes(r.summary.surface.volumeErrors, w.surface.components, w.clock.time);
   });
 }
 
 void removeSurfaceFrames(Run& r) {
   removeFramesAfter(r.options.out, surfaceName(r.name), r.surfaceSeries, r.world.clock.time);
-  r.summary.surface.held = truncateComponentLog(r.options.out, r.world.clock.step);
+  r.summary.surface.volumeErrors = truncateComponentLog(r.options.out, r.world.clock.step);
   writeEventLog(r.options.out, r.world.surface.events);
 }
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Oriented bodies (scenes/oriented): the same bits on 1, 2, 3, 4 and 7 ranks and over a restart on another
-# number of ranks. Covers births, deaths, cuts, welds, anchors, and contact with a continuum body and a cloth.
+# number of ranks. Covers births, deaths, cuts, welds, constraints, and contact with a continuum body and a
+# cloth.
 # SCENES selects scenes.
 . "$(dirname "$0")/../support/run.sh"
 scenes=$source_dir/scenes/oriented

@@ -124,9 +124,9 @@ weft = 30
 shear = 20
 bending = 1
 rest_length = 0.8
-wrap = 30
-wrap_to = "block"
-wrap_in_time = [[0, 0.2], [0.1, 1]]
+shrink_wrap = 30
+shrink_wrap_to = "block"
+shrink_wrap_in_time = [[0, 0.2], [0.1, 1]]
 warp_in_time = [[0, 1], [0.2, 2]]
 bending_in_time = [[0, 1], [0.1, 0]]
 damping = 2
@@ -134,16 +134,16 @@ damping = 2
 box = { size = [0.3, 1, 1] }
 place = { move = [0.15, 0, 0] }
 warp = 2
-wrap = 0.5
+shrink_wrap = 0.5
 damping = 3
 [[sheet]]
 name = "over"
 grid = { width = 0.4, depth = 0.4 }
 spacing = "4 cm"
 mass = 0.5
-wrap = 5
-wrap_to = "net"
-push = 2
+shrink_wrap = 5
+shrink_wrap_to = "net"
+repulsion = 2
 push_in_time = [[0, 0], [0.1, 1]]
 place = { move = [0, 0, -0.45] }
 [[sheet]]
@@ -151,8 +151,8 @@ name = "beside"
 grid = { width = 0.3, depth = 0.3 }
 spacing = "4 cm"
 mass = 0.5
-wrap = 8
-wrap_to = "round"
+shrink_wrap = 8
+shrink_wrap_to = "round"
 place = { rotate_y = "90 deg", move = [0.45, 0.01, 0] }
 [output]
 every = "20 ms"

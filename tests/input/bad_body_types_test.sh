@@ -274,10 +274,10 @@ rejects "an oriented body's mesh that is missing" \
   "lost2.toml:7:8: error: oriented body 'oriented 0': .*nowhere.obj: no such file" \
   2 check "$(bodyTypes lost2 <<<"[[oriented]]
 mesh = 'nowhere.obj'")"
-rejects "an anchor's mesh that is missing" \
-  "lost3.toml:9:8: error: oriented body 'oriented 0': an anchor: .*nowhere.obj: no such file" \
+rejects "a constraint's mesh that is missing" \
+  "lost3.toml:9:8: error: oriented body 'oriented 0': a constraint: .*nowhere.obj: no such file" \
   2 check "$(bodyTypes lost3 <<<"$plate
-[[oriented.anchor]]
+[[oriented.constraint]]
 mesh = 'nowhere.obj'")"
 rejects "a clamp's mesh that is missing" \
   "lost4.toml:9:8: error: sheet 'sheet 0': a clamp: .*nowhere.obj: no such file" \

@@ -79,14 +79,15 @@ TEST(BondHalo, BuildsTheSameGraphFromRecords) {
     rig.rebuildBonds(rig.requests(500, 0));
     if (!rig.good("before")) return;
     SolidRecords records;
-    for (std::uint32_t slot = 0; slot < rig.s.owned; slot++) appendRecord(rig.s, rig.b, slot, records);
+    for (std::uint32_t solidIndex = 0; solidIndex < rig.s.owned; solidIndex++)
+      appendRecord(rig.s, rig.b, solidIndex, records);
     rig.halo = std::make_unique<MpiBondHalo>(rig.comm);
     rig.s.resize(rig.s.owned, 0);
     rig.s.resize(0, 0);
     rig.digest.clear();
     rig.b = Bonds{};
     rig.b.twoFrames = true;
-    std::fill_n(rig.p.slot.data(), rig.p.owned, noSlot);
+    std::fill_n(rig.p.solidIndex.data(), rig.p.owned, noSolid);
     rig.halo->adopt(std::move(records.bytes));
     if (rebuildFirst) {
       rig.rebuildBonds();

@@ -67,10 +67,11 @@ Content contentOf(const World& whole) {
   Content all;
   for (std::size_t i = 0; i < whole.particles.owned; i++) {
     addRows(all.particles, whole.particles, i, whole.particles.id[i]);
-    if (const std::uint32_t slot = whole.particles.slot[i]; slot != noSlot) {
+    if (const std::uint32_t solidIndex = whole.particles.solidIndex[i]; solidIndex != noSolid) {
       SolidRecords r;
-      appendRecord(whole.solids, whole.bonds, slot, r);
-      all.solids[whole.solids.id[slot]] = {reinterpret_cast<const char*>(r.bytes.data()), r.bytes.size()};
+      appendRecord(whole.solids, whole.bonds, solidIndex, r);
+      all.solids[whole.solids.id[solidIndex]] = {reinterpret_cast<const char*>(r.bytes.data()),
+                                                 r.bytes.size()};
     }
   }
   return all;
@@ -89,7 +90,7 @@ void expectContent(const World& restored, const std::vector<std::byte>& records,
   Content got;
   for (std::size_t i = 0; i < restored.particles.owned; i++) {
     addRows(got.particles, restored.particles, i, restored.particles.id[i]);
-    EXPECT_EQ(restored.particles.slot[i], noSlot);
+    EXPECT_EQ(restored.particles.solidIndex[i], noSolid);
   }
   for (const auto& [id, bytes] : got.particles) EXPECT_EQ(bytes, expected.particles.at(id)) << id;
   for (std::size_t at = 0; at < records.size();) {

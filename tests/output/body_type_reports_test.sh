@@ -16,12 +16,12 @@ growth = "borders"
 most = 300
 every = 1
 velocity = [0, 0, 1]
-[[oriented.anchor]]
+[[oriented.constraint]]
 box = { size = [0.06, 1, 1] }
 place = { move = [-0.25, 0, 0] }
-[[oriented.anchor.motion]]
+[[oriented.constraint.motion]]
 time = 0
-[[oriented.anchor.motion]]
+[[oriented.constraint.motion]]
 time = 0.05
 move = [-0.3, 0, 0]
 [[oriented.event]]
@@ -42,7 +42,7 @@ expectExit 0 "restart with another event"
 expectMessage "changed at the restart: oriented.net.event.0.time: 0.04 -> 0.045 s" \
   "restart with another event"
 launch 2 run "$work/net.toml" \
-  --steps 2 --set 'oriented.net.field=[{push=[0,0,1],box={size=[0.1,0.1,0.1]},place={move=[0,0,0.8]}}]' \
+  --steps 2 --set 'oriented.net.field=[{acceleration=[0,0,1],box={size=[0.1,0.1,0.1]},place={move=[0,0,0.8]}}]' \
   --out "$work/idle" >"$work/log" 2>&1
 expectExit 0 "a field without particles"
 expectMessage "warning: .*oriented body 'net': no particle is in this field as it begins, at 0 s" \

@@ -44,12 +44,12 @@ damping = 1
 warp = 50
 weft = 50
 shear = 5
-wrap = 3
-wrap_to = "block"
+shrink_wrap = 3
+shrink_wrap_to = "block"
 [[sheet.region]]
 plane = { point = [0, 0, 0], normal = [1, 0, 0] }
 warp = 3
-[[sheet.brush]]
+[[sheet.pressure_brush]]
 radius = 0.2
 pressure = [0, 0, 20]
 motion = [{ time = 0 }, { time = 0.5, move = [0.3, 0, 0] }]
@@ -57,7 +57,7 @@ motion = [{ time = 0 }, { time = 0.5, move = [0.3, 0, 0] }]
 name = "net"
 patch = { width = 0.5, depth = 0.5 }
 place = { move = [0, 0, 0.4] }
-[[oriented.anchor]]
+[[oriented.constraint]]
 plane = { point = [-0.2, 0, 0], normal = [1, 0, 0] }
 [[oriented.event]]
 kind = "cut"
@@ -94,8 +94,8 @@ refuses 1 '^  sheet.cloth.mesh: 121 vertices .* -> 121 vertices .*' \
   "sheet.cloth.mesh=\"$work/other.obj\""
 refuses 2 '^  sheet.cloth.region.0.plane.point: .0, 0, 0. -> .0.1, 0, 0. m (.*all.toml:28)' \
   'sheet.cloth.region.0.plane.point=[0.1,0,0]'
-refuses 2 '^  oriented.net.anchor.0.plane.point: .-0.2, 0, 0. -> .-0.1, 0, 0.' \
-  'oriented.net.anchor.0.plane.point=[-0.1,0,0]'
+refuses 2 '^  oriented.net.constraint.0.plane.point: .-0.2, 0, 0. -> .-0.1, 0, 0.' \
+  'oriented.net.constraint.0.plane.point=[-0.1,0,0]'
 refuses 2 '^  body.block.box.size: .0.2, 0.2, 0.2. -> .0.3, 0.2, 0.2. m' \
   'body.block.box.size=[0.3,0.2,0.2]'
 cp "$work/cloth.obj" "$work/kept.obj" && cp "$work/coarse.obj" "$work/cloth.obj"
@@ -115,9 +115,9 @@ again 2 0 "another quality" --set quality=preview
 expectMessage '^  spacing 0.05 m; quality preview (--set quality=preview)$' "another quality"
 again 2 2 "another spacing" --set spacing=0.04
 expectMessage '^  spacing 0.04 m; quality standard (--set spacing=0.04)$' "another spacing"
-tells 'sheet.cloth.wrap_to: "block" -> "net"' 'sheet.cloth.wrap_to="net"'
-tells 'sheet.cloth.brush.0.motion.1.move: .0.3, 0, 0. -> .0.2, 0, 0. m' \
-  'sheet.cloth.brush.0.motion=[{time=0},{time=0.5,move=[0.2,0,0]}]'
+tells 'sheet.cloth.shrink_wrap_to: "block" -> "net"' 'sheet.cloth.shrink_wrap_to="net"'
+tells 'sheet.cloth.pressure_brush.0.motion.1.move: .0.3, 0, 0. -> .0.2, 0, 0. m' \
+  'sheet.cloth.pressure_brush.0.motion=[{time=0},{time=0.5,move=[0.2,0,0]}]'
 tells 'oriented.net.cfl: 0.25 -> 0.2' 'oriented.net.cfl=0.2'
 tells 'obstacle.floor.plane.point: .0, 0, -0.6. -> .0, 0, -0.7. m' \
   'obstacle.floor.plane.point=[0,0,-0.7]' 3

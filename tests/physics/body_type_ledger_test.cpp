@@ -94,7 +94,7 @@ Scene weightless(bool ball) {
   SheetBody& b = s.sheets[0];
   b.spacing = 0.02;
   b.radius = 0.12;
-  b.mass = 0, b.damping = 3, b.warp = b.weft = b.shear = 20, b.wrap = 40;
+  b.mass = 0, b.damping = 3, b.warp = b.weft = b.shear = 20, b.shrinkWrap = 40;
   if (ball) {
     s.obstacles.emplace_back();
     s.obstacles.back().name = "ball";

@@ -58,10 +58,11 @@ TEST(Fields, LiquidHasTheNecessaryOnes) {
 }
 
 TEST(Fields, SolidHasTheNecessaryOnes) {
-  EXPECT_EQ(sorted(fields(block(true))),
-            with(always, {"continuum.slot", "solid.id", "solid.particle", "solid.material", "solid.reference",
-                          "solid.volume", "solid.position", "solid.momentInverse", "solid.deformation",
-                          "solid.endDouble", "solid.force", "solid.energy", "solid.changed"}));
+  EXPECT_EQ(
+      sorted(fields(block(true))),
+      with(always, {"continuum.solid_index", "solid.id", "solid.particle", "solid.material",
+                    "solid.reference", "solid.volume", "solid.position", "solid.momentInverse",
+                    "solid.deformation", "solid.endDouble", "solid.force", "solid.energy", "solid.changed"}));
 }
 
 // Forces share storage with accelerations, unless both are read or a constrained particle's acceleration

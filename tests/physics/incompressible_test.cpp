@@ -218,12 +218,12 @@ TEST(Incompressible, FrozenParticlesHaveNoPressure) {
   Simulation run(s);
   const Continuum& p = run.particles();
   std::vector<std::uint64_t> solid, now;
-  double held = 0;
+  double largest = 0;
   while (run.w.clock.time < s.end) {
     ASSERT_TRUE(run.step());
     now.clear();
     for (std::size_t i = 0; i < p.owned; i++) {
-      held = std::max(held, static_cast<double>(p.densityPressure[i]));
+      largest = std::max(largest, static_cast<double>(p.densityPressure[i]));
       if (p.liquid[i] > 0) continue;
       now.push_back(p.id[i]);
       if (!std::binary_search(solid.begin(), solid.end(), p.id[i])) continue;
@@ -234,7 +234,7 @@ TEST(Incompressible, FrozenParticlesHaveNoPressure) {
     solid.swap(now);
   }
   EXPECT_GT(solid.size(), 20u);
-  EXPECT_GT(held, 50);  // Pa: there was a pressure to keep
+  EXPECT_GT(largest, 50);  // Pa: there was a pressure to keep
 }
 
 }  // namespace thaw::test

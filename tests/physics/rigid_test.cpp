@@ -161,7 +161,7 @@ TEST(Rigid, ClampsThatMeltAreRemoved) {
   int clamped = 0;
   Continuum& p = sim.w.particles;
   for (std::size_t i = 0; i < p.owned; i++)
-    if (p.clamped[i] == held) p.enthalpy[i] = 1e6, clamped++;
+    if (p.clamped[i] == fixedInPlace) p.enthalpy[i] = 1e6, clamped++;
   ASSERT_GT(clamped, 0);
   for (int k = 0; k < 100; k++) ASSERT_TRUE(sim.step());
   EXPECT_EQ(sim.w.counters.melted, clamped);

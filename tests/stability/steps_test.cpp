@@ -212,7 +212,7 @@ TEST(Stability, Row14FreezeMeltPingPong) {
     for (AnyColumn* c : p.columns) p.activate(*c);
     p.resize(1, 0);
     p.mass[0] = 1;
-    p.slot[0] = noSlot;
+    p.solidIndex[0] = noSolid;
     p.temperature[0] = 299.95;
     // half of the latent heat; at the edge of the hysteresis
     p.enthalpy[0] = way == 0 ? 299.95 * 1000 : way == 1 ? 0.5 * 1e4 : 0.81 * 1e4;

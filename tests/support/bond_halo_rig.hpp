@@ -54,7 +54,7 @@ struct Rig {
 
   Rig(std::size_t particles, std::uint64_t seed, std::size_t chunk = largestChunk)
       : comm(MPI_COMM_WORLD, chunk), dice{seed} {
-    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.id, &p.phase, &p.material, &p.slot})
+    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.id, &p.phase, &p.material, &p.solidIndex})
       p.activate(*c);
     for (AnyColumn* c :
          std::initializer_list<AnyColumn*>{&s.id, &s.particle, &s.material, &s.volume, &s.plasticInverse,
@@ -76,7 +76,7 @@ struct Rig {
     p.id[p.owned - 1] = idOf(i);
     p.phase[p.owned - 1] = model[i].solid ? Solid : Liquid;
     p.material[p.owned - 1] = static_cast<std::uint16_t>(i % 5);
-    p.slot[p.owned - 1] = model[i].solid ? 12345 : noSlot;  // invalid until the halo sets it
+    p.solidIndex[p.owned - 1] = model[i].solid ? 12345 : noSolid;  // invalid until the halo sets it
   }
   /// Sorts particles in an order unrelated to solid indices, without the rows `without`.
   void sort(const std::vector<std::uint32_t>& without) {
@@ -86,7 +86,7 @@ struct Rig {
     std::sort(order.begin(), order.end(),
               [&](auto i, auto j) { return spreadBits(p.id[i]) < spreadBits(p.id[j]); });
     p.reorder(order);
-    linkSlots(p, s);
+    linkSolids(p, s);
   }
 
   /// Gives every particle a new owner with probability `chance` (the target, or any if it is negative), or
@@ -166,14 +166,14 @@ struct Rig {
       for (const ModelBond& x : model[i].bonds)
         if (dice.chance(chance)) broken.insert(key(idOf(i), x.to));
     erase([&](std::uint64_t from, std::uint64_t to) { return broken.count(key(from, to)) > 0; });
-    for (std::size_t slot = 0; slot < s.owned; slot++)
+    for (std::size_t solidIndex = 0; solidIndex < s.owned; solidIndex++)
       for (int k = 0; k < b.capacity; k++) {
-        const std::size_t at = b.at(slot, k);
-        if (!(b.weight[at] > 0) || broken.count(key(s.id[slot], s.id[b.neighbour[at]])) == 0) continue;
+        const std::size_t at = b.at(solidIndex, k);
+        if (!(b.weight[at] > 0) || broken.count(key(s.id[solidIndex], s.id[b.neighbour[at]])) == 0) continue;
         b.weight.set(at, 0);
         b.broken = true;
-        s.markExposed(slot);
-        s.changed[slot] = 1;
+        s.markExposed(solidIndex);
+        s.changed[solidIndex] = 1;
       }
   }
 
@@ -192,8 +192,8 @@ struct Rig {
     if (model.empty() || !model[from].solid) return;
     if (model[from].owner == comm.rank()) {
       const BondRecord r = randomBond(idOf(from), idOf(to), weight);
-      const std::uint32_t slot = halo->graph().rowOf(idOf(from));
-      mine.push_back({slot,
+      const std::uint32_t solidIndex = halo->graph().rowOf(idOf(from));
+      mine.push_back({solidIndex,
                       r.neighbourId,
                       {r.reference[0], r.reference[1], r.reference[2]},
                       {r.reverse[0], r.reverse[1], r.reverse[2]},
@@ -211,34 +211,34 @@ struct Rig {
 
   static double volumeOf(std::uint64_t id) { return 1 + static_cast<double>(id % 1000); }
 
-  void checkSlots() {
+  void checkSolids() {
     ASSERT_NO_THROW(halo->graph().check({p, s, b}));
     std::size_t solid = 0;
     for (std::size_t i = 0; i < p.owned; i++) {
       const ModelParticle& m = model[indexOf(p.id[i])];
       ASSERT_EQ(m.owner, comm.rank());
-      ASSERT_EQ(p.slot[i] != noSlot, m.solid) << "particle " << indexOf(p.id[i]);
+      ASSERT_EQ(p.solidIndex[i] != noSolid, m.solid) << "particle " << indexOf(p.id[i]);
       solid += m.solid;
     }
     ASSERT_EQ(s.owned, solid);
     digest.resize(s.owned, 0);
-    for (std::size_t slot = 0; slot < s.owned; slot++) {
-      const std::uint64_t id = s.id[slot];
+    for (std::size_t solidIndex = 0; solidIndex < s.owned; solidIndex++) {
+      const std::uint64_t id = s.id[solidIndex];
       const ModelParticle& m = model[indexOf(id)];
-      ASSERT_EQ(p.id[s.particle[slot]], id);
-      ASSERT_EQ(s.material[slot], indexOf(id) % 5);
-      if (s.volume[slot] == 0) {  // became solid in this step
-        ASSERT_TRUE(s.plasticInverse[slot].row[0].y == 0);
-        s.volume[slot] = volumeOf(id);
-        s.plasticInverse[slot].row[0].y = -volumeOf(id);
+      ASSERT_EQ(p.id[s.particle[solidIndex]], id);
+      ASSERT_EQ(s.material[solidIndex], indexOf(id) % 5);
+      if (s.volume[solidIndex] == 0) {  // became solid in this step
+        ASSERT_TRUE(s.plasticInverse[solidIndex].row[0].y == 0);
+        s.volume[solidIndex] = volumeOf(id);
+        s.plasticInverse[solidIndex].row[0].y = -volumeOf(id);
       }
-      ASSERT_EQ(s.volume[slot], volumeOf(id));
-      ASSERT_EQ(s.plasticInverse[slot].row[0].y, -volumeOf(id));
-      ASSERT_EQ(s.exposed[slot] != 0, m.markExposed) << "particle " << indexOf(id);
+      ASSERT_EQ(s.volume[solidIndex], volumeOf(id));
+      ASSERT_EQ(s.plasticInverse[solidIndex].row[0].y, -volumeOf(id));
+      ASSERT_EQ(s.exposed[solidIndex] != 0, m.markExposed) << "particle " << indexOf(id);
       std::size_t n = 0;
       std::uint64_t sum = 0;
       for (int k = 0; k < b.capacity; k++) {
-        const std::size_t at = b.at(slot, k);
+        const std::size_t at = b.at(solidIndex, k);
         if (!(b.weight[at] > 0)) continue;
         ASSERT_LT(n, m.bonds.size()) << "particle " << indexOf(id);
         const ModelBond& e = m.bonds[n++];
@@ -252,9 +252,9 @@ struct Rig {
               (b.neighbour[at] >= s.owned);
       }
       ASSERT_EQ(n, m.bonds.size()) << "particle " << indexOf(id);
-      if (s.changed[slot]) digest[slot] = sum;
-      s.changed[slot] = 0;
-      ASSERT_EQ(digest[slot], sum) << "Solids::changed was not set";
+      if (s.changed[solidIndex]) digest[solidIndex] = sum;
+      s.changed[solidIndex] = 0;
+      ASSERT_EQ(digest[solidIndex], sum) << "Solids::changed was not set";
     }
   }
 
@@ -284,7 +284,7 @@ struct Rig {
   /// Returns false on all ranks if a check fails on any, so that no rank waits for a failed one.
   bool good(const char* where) {
     SCOPED_TRACE(where);
-    checkSlots();
+    checkSolids();
     if (!agree()) return false;
     checkExchange();
     return agree();

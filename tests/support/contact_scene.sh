@@ -22,7 +22,7 @@ patch = { width = 0.5, depth = 0.5 }
 density = 5
 stiffness = 50
 cfl = 0.5
-[[oriented.anchor]]
+[[oriented.constraint]]
 difference = [ { box = { size = [1, 1, 0.1] } }, { box = { size = [0.44, 0.44, 0.2] } } ]
 [output]
 every = "20 ms"

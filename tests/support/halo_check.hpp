@@ -63,9 +63,9 @@ struct HaloRig {
 
   HaloRig(const Cloud& cloud, CellHalo& halo, Reducer& all) : cloud(cloud), halo(halo), all(all) {
     Continuum& p = particles;
-    for (AnyColumn* c :
-         std::initializer_list<AnyColumn*>{&p.id, &p.position, &p.velocity, &p.material, &p.clamped,
-                                           &p.liquid, &p.cell, &p.nextCell, &p.slot, &p.relativeDensity})
+    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.id, &p.position, &p.velocity, &p.material,
+                                                          &p.clamped, &p.liquid, &p.cell, &p.nextCell,
+                                                          &p.solidIndex, &p.relativeDensity})
       p.activate(*c);
   }
   /// The initial particles of a rank, which need not be the ones it owns. spread: over all ranks, else all on
@@ -84,7 +84,7 @@ struct HaloRig {
       particles.clamped[i] = static_cast<std::uint8_t>(mine[i] % 3);
       particles.liquid[i] = static_cast<float>(hashed(mine[i]));
       particles.cell[i] = ~std::uint64_t{0};  // no cell yet, so that the sort treats it as a mover
-      particles.slot[i] = static_cast<std::uint32_t>(mine[i]);
+      particles.solidIndex[i] = static_cast<std::uint32_t>(mine[i]);
     }
     place();
   }
@@ -103,7 +103,7 @@ struct HaloRig {
       ASSERT_TRUE(k == 0 || m.departed[k - 1] < m.departed[k]);
     }
     for (std::size_t i = particles.owned - m.arrivals; i < particles.owned; i++) {
-      ASSERT_EQ(particles.slot[i], noSlot);
+      ASSERT_EQ(particles.solidIndex[i], noSolid);
       ASSERT_EQ(particles.relativeDensity[i], 0);
       ASSERT_EQ(particles.cell[i], 0u);
     }

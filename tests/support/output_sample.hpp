@@ -74,14 +74,14 @@ inline Mat3d plasticInverseOf(std::uint64_t id) {
 struct SampleIds {
   std::uint64_t all;  ///< number of particles on all ranks
   std::vector<std::uint64_t> particles, solids;
-  std::map<std::uint64_t, std::uint32_t> slotOf;
+  std::map<std::uint64_t, std::uint32_t> solidIndexOf;
   SampleIds(MPI_Comm comm, std::uint64_t N) : all(N) {
     for (std::uint64_t id = 0; id < N; id++)
       if (ownerOf(id, sizeOf(comm)) == rankOf(comm)) particles.push_back(id);
     for (std::uint64_t id : particles)
       if (solidAt(id)) solids.push_back(id);
     std::reverse(solids.begin(), solids.end());
-    for (std::size_t k = 0; k < solids.size(); k++) slotOf[solids[k]] = static_cast<std::uint32_t>(k);
+    for (std::size_t k = 0; k < solids.size(); k++) solidIndexOf[solids[k]] = static_cast<std::uint32_t>(k);
   }
 };
 
@@ -100,7 +100,7 @@ inline void fillParticles(const SampleIds& ids, Continuum& p) {
     p.temperature[i] = 300 + hashed(id);
     p.material[i] = p.body[i] = 0;
     p.phase[i] = solidAt(id) ? Solid : Liquid;
-    p.slot[i] = solidAt(id) ? ids.slotOf.at(id) : noSlot;
+    p.solidIndex[i] = solidAt(id) ? ids.solidIndexOf.at(id) : noSolid;
   }
 }
 
@@ -130,7 +130,8 @@ inline void fillBonds(const SampleIds& ids, bool twoFrames, Bonds& bonds, Solids
       const std::uint64_t other = (id * 13 + std::uint64_t(n) * 29 + 1) % ids.all;
       bonds.neighbour[at] = static_cast<std::uint32_t>(k);
       if (!solidAt(other) || other == id || n == 2) continue;  // also a broken bond between other particles
-      if (const auto f = ids.slotOf.find(other); f != ids.slotOf.end()) bonds.neighbour[at] = f->second;
+      if (const auto f = ids.solidIndexOf.find(other); f != ids.solidIndexOf.end())
+        bonds.neighbour[at] = f->second;
       else {
         bonds.neighbour[at] = static_cast<std::uint32_t>(ids.solids.size() + remote.size());
         remote.push_back(other);

@@ -66,7 +66,7 @@ struct WallRig {
     p.phase[i] = phase;
     p.liquid[i] = phase == Liquid;
     p.relativeDensity[i] = 1;
-    p.slot[i] = noSlot;
+    p.solidIndex[i] = noSolid;
     p.temperature[i] = 300;
     p.contactOffset[i] = 0.5f;
   }

@@ -53,10 +53,11 @@ std::vector<Figure> measureSag(Trial& r) {
                                            return length(w.particles.velocity[i]);
                                          });
   const double target = dx < 0.1 ? 0.03 : 0.05;
-  Beam held = beam;  // clamped in the plane of the outermost held particles, half a spacing behind the face
-  held.length += 0.5 * dx;
+  Beam clamped = beam;  // clamped in the plane of the outermost clamped particles, half a spacing behind the
+                        // face
+  clamped.length += 0.5 * dx;
   return {{"deflection", std::abs(measured / beam.sag(5 - 0.5 * dx, nu) - 1), target},
-          {"deflection from held plane", std::abs(measured / held.sag(5, nu) - 1)},
+          {"deflection from clamped plane", std::abs(measured / clamped.sag(5, nu) - 1)},
           {"still moving", fastest / (firstFrequency * measured)}};
 }
 

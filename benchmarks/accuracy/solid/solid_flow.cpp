@@ -20,14 +20,14 @@ struct State {
   Sym3d stress;
 };
 State stateOf(const World& w, std::size_t i) {
-  const Mat3d elastic = elasticGradient(gradientOf(w, i), w.solids.plasticInverse[w.particles.slot[i]]);
+  const Mat3d elastic = elasticGradient(gradientOf(w, i), w.solids.plasticInverse[w.particles.solidIndex[i]]);
   return {determinant(identity3<double>() + elastic),
           cauchyStress(elasticResponse(constantsOf(w), elastic).stress, elastic)};
 }
 
 /// 1/det of the plastic part, minus 1.
 double plasticVolume(const World& w, std::size_t i) {
-  const std::uint32_t s = w.particles.slot[i];
+  const std::uint32_t s = w.particles.solidIndex[i];
   const Mat3d one = identity3<double>();
   return 1 / determinant((one + w.solids.plasticInverse[s]) * inverse(one + w.solids.referenceGradient[s])) -
          1;

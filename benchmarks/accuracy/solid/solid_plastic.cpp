@@ -21,7 +21,7 @@ void draw(Trial& r, double from, double to, double dt) {
 
 /// Norm of the deviator of the Cauchy stress, Pa.
 double deviator(const World& w, std::size_t i) {
-  const Mat3d elastic = elasticGradient(gradientOf(w, i), w.solids.plasticInverse[w.particles.slot[i]]);
+  const Mat3d elastic = elasticGradient(gradientOf(w, i), w.solids.plasticInverse[w.particles.solidIndex[i]]);
   Sym3d d = cauchyStress(elasticResponse(constantsOf(w), elastic).stress, elastic);
   const double mean = trace(d) / 3;
   d.xx -= mean, d.yy -= mean, d.zz -= mean;
@@ -29,7 +29,7 @@ double deviator(const World& w, std::size_t i) {
 }
 
 double plasticNorm(const World& w, std::size_t i) {
-  return norm(plasticStrain(w.solids.plasticInverse[w.particles.slot[i]], {}));
+  return norm(plasticStrain(w.solids.plasticInverse[w.particles.solidIndex[i]], {}));
 }
 
 void pull(Trial& r) {

@@ -6,7 +6,7 @@
 
 #include "benchmarks/accuracy/trial.hpp"
 #include "core/math/hash_random.hpp"
-#include "core/solid/elasticity/slot_state.hpp"
+#include "core/solid/elasticity/solid_state.hpp"
 #include "core/solid/laws/elastic_constants.hpp"
 
 namespace thaw::accuracy {
@@ -24,7 +24,7 @@ inline const Material& materialOf(const World& w) { return w.scene.materials[0];
 inline const ElasticConstants constantsOf(const World& w) { return elasticConstants(materialOf(w), 0); }
 
 inline Mat3d gradientOf(const World& w, std::size_t i) {
-  return w.solids.deformation[w.particles.slot[i]] - identity3<double>();
+  return w.solids.deformation[w.particles.solidIndex[i]] - identity3<double>();
 }
 inline double largestEntry(const Mat3d& m) {
   double most = 0;

@@ -144,11 +144,11 @@ void packAs(const RecordContext& x, const Continuum& p, std::size_t begin, std::
     put(rows<Real>(r.velocityViscosity)[i], moved.flow,
         static_cast<Real>(pairwise ? stickingViscosity(viscosity, f) : viscosity));
     const bool atSurface = surfaces && p.atSurface[i];
-    const double wet = atSurface ? -f : f;
+    const double signedLiquid = atSurface ? -f : f;
     if (!r.pressurePhaseHeat.empty())
       rows<Real>(r.pressurePhaseHeat)[i] = {
           carried ? static_cast<Real>(p.compression[i] * (x.liquids[k].stiffness / stiffness)) : Real(0),
-          static_cast<Real>(wet), static_cast<Real>(T),
+          static_cast<Real>(signedLiquid), static_cast<Real>(T),
           static_cast<Real>(local.conductivity * factorOf(p.conductionCorrection, i))};
     if (surface)
       rows<Real>(r.surface)[i] = {
@@ -164,7 +164,8 @@ template<class Real> Four<Real>* places(PairRecords& r) {
 }
 
 bool isFixedSolid(const Continuum& p, std::size_t i) {
-  return p.phase[i] == Solid && p.clamped.active && (p.clamped[i] == held || p.clamped[i] == heldByPiece);
+  return p.phase[i] == Solid && p.clamped.active &&
+         (p.clamped[i] == fixedInPlace || p.clamped[i] == fixedByPiece);
 }
 
 /// Packs the pressure tensors of carried densities (terms/forces.hpp).

@@ -121,11 +121,11 @@ struct CarriedDensity {
     L laplace = k.laplace;
     if constexpr (Solids) {
       const L fi = sizeOf(i.pressurePhaseHeat.b), fj = sizeOf(p.mark), pairLiquidFraction = fi + fj - fi * fj,
-              wet = k.w * fj;
-      s.liquidKernelSum += wet;
-      s.solids += k.w - wet;
-      s.nearby = fma(wet, p.compression, s.nearby);
-      s.depth = fma(wet, fallOf(p.d), s.depth);
+              liquidKernel = k.w * fj;
+      s.liquidKernelSum += liquidKernel;
+      s.solids += k.w - liquidKernel;
+      s.nearby = fma(liquidKernel, p.compression, s.nearby);
+      s.depth = fma(liquidKernel, fallOf(p.d), s.depth);
       g = scaled(pairLiquidFraction, g);
       laplace = pairLiquidFraction * laplace;
     }

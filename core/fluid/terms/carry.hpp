@@ -56,8 +56,8 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
   const PairSums& in;
   GroupRows at;
   CarrySums<Real> s;
-  LaneBits awake = 0;  ///< lanes of particles that the step changes
-  LaneBits wet = 0;    ///< lanes of awake particles with liquid around
+  LaneBits awake = 0;     ///< lanes of particles that the step changes
+  LaneBits inLiquid = 0;  ///< lanes of awake particles with liquid around
   L soundSpeed = L(1.0), atSurface = L(0.0), besideSurface = L(0.0);
   Wide stiffness = Wide(1.0), restVolume = Wide(1.0), compression = Wide(0.0);
   Wide pressureLead = Wide(0.0), lead = Wide(0.0);  ///< s, 1: LiquidMaterial, change of density over it
@@ -69,13 +69,13 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
   }
   THAW_INLINE void findLanes() {
     if (!Mixed && !x.steady) {
-      awake = wet = (1u << at.count) - 1;
+      awake = inLiquid = (1u << at.count) - 1;
       return;
     }
     for (int l = 0; l < at.count; l++) {
       const bool isAwake = !x.steady || !x.steady[at.row[l]];
       awake |= unsigned{isAwake} << l;
-      wet |= unsigned{isAwake && (!Mixed || s.liquidKernelSum[l] > 0)} << l;
+      inLiquid |= unsigned{isAwake && (!Mixed || s.liquidKernelSum[l] > 0)} << l;
     }
   }
 
@@ -281,7 +281,8 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     const Wide energy = half * restVolume * (pressureTerm(flow + half) + pressureTerm(before + half));
     const Wide end = flow + spread;
     noteChange(end - before);
-    write(at, wet, at.doubles(x.dissipated) - energy + (x.compressionRate ? damp(end) : zero), x.dissipated);
+    write(at, inLiquid, at.doubles(x.dissipated) - energy + (x.compressionRate ? damp(end) : zero),
+          x.dissipated);
     return end;
   }
 
@@ -289,7 +290,7 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     const Wide size = sizeOf(change);
     if (!any(size > Wide(*x.largestChange))) return;
     for (int l = 0; l < at.count; l++)
-      if (wet >> l & 1) *x.largestChange = std::max(*x.largestChange, size[l]);
+      if (inLiquid >> l & 1) *x.largestChange = std::max(*x.largestChange, size[l]);
   }
 
   /// Lets the pressure lead the density by a fixed time: p(y + t dy/dt), a volume viscosity. It damps sound
@@ -298,7 +299,7 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     if (!(x.dt > 0)) return Wide(0.0);
     const Wide rate = widen(s.rate), before = widen(at.floats(x.compressionRate));
     lead = pressureLead * rate;
-    write(at, wet, toFloats(s.rate), x.compressionRate);
+    write(at, inLiquid, toFloats(s.rate), x.compressionRate);
     const Wide pressure = pressureTerm(end);
     const Wide both = pressureTerm(end + lead) + pressureTerm(end + pressureLead * before) - pressure -
                       pressure;
@@ -307,16 +308,16 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
 
   THAW_INLINE void store(const Tensor<L>& now, const Tensor<L>& next, Wide end) {
     if constexpr (Surfaces) writeFlags(at, awake, toFloats(atSurface), x.atSurface);
-    write(at, wet, end, x.compression);
-    write(at, wet, toFloats(Wide(1.0) + end + lead), in.relativeDensity);
+    write(at, inLiquid, end, x.compression);
+    write(at, inLiquid, toFloats(Wide(1.0) + end + lead), in.relativeDensity);
     if constexpr (Corrected) {
-      write(at, wet, now, x.midCorrection);
-      write(at, wet, next, x.correction);
+      write(at, inLiquid, now, x.midCorrection);
+      write(at, inLiquid, next, x.correction);
     }
     if constexpr (Mixed)
       for (int l = 0; l < at.count; l++) {
         if (!(awake >> l & 1)) continue;
-        if (!(wet >> l & 1)) resetCarriedDensity(x, in.relativeDensity, at.row[l]);
+        if (!(inLiquid >> l & 1)) resetCarriedDensity(x, in.relativeDensity, at.row[l]);
         else if (Surfaces && x.relief) storeRelief(l, end[l]);
       }
   }

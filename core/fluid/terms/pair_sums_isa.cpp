@@ -94,9 +94,9 @@ void forcesIn(const PairSums& in, GroupRange range) {
         Lanes<Real>(lengthUnit<Real> / h)};
     sweep(*in.lists, range, term, Groups::Fluid);
     if constexpr (Heat) {
-      Conduction<Real, decltype(kernel)> dry{
+      Conduction<Real, decltype(kernel)> nonFluid{
           records<Real>(in.positionVolume), records<Real>(in.pressurePhaseHeat), &in, in.conductionScale * h};
-      sweep(*in.lists, range, dry, Groups::NonFluid);
+      sweep(*in.lists, range, nonFluid, Groups::NonFluid);
     }
   });
 }

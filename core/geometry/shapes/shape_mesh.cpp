@@ -116,10 +116,10 @@ TriangleMesh unplaced(const Shape& s, double sag, const Ball& seen, const MeshLo
 }
 
 TriangleMesh placedParts(const Shape& s, double sag, const Ball& seen, const MeshLoader& load) {
-  const Shape bare = withoutPlacement(s);
-  const Placement p = placementOf(s, makeSignedDistance(bare, load));
+  const Shape atOrigin = withoutPlacement(s);
+  const Placement p = placementOf(s, makeSignedDistance(atOrigin, load));
   const Ball there{transpose(p.rotation) * (seen.centre - p.move) / p.scale, seen.radius / p.scale};
-  TriangleMesh m = unplaced(bare, sag / p.scale, there, load);
+  TriangleMesh m = unplaced(atOrigin, sag / p.scale, there, load);
   for (Vec3d& v : m.vertices) v = p.move + p.rotation * (p.scale * v);
   return m;
 }

@@ -30,11 +30,11 @@ class PointCells {
     first_.push_back(static_cast<std::uint32_t>(points.size()));
     std::size_t size = 16;
     while (size < 2 * key_.size()) size *= 2;
-    slot_.assign(size, none);
+    bucket_.assign(size, none);
     for (std::uint32_t c = 0; c < key_.size(); c++) {
       std::size_t s = mixBits(key_[c]) & (size - 1);
-      while (slot_[s] != none) s = (s + 1) & (size - 1);
-      slot_[s] = c;
+      while (bucket_[s] != none) s = (s + 1) & (size - 1);
+      bucket_[s] = c;
     }
   }
 
@@ -56,9 +56,9 @@ class PointCells {
         for (std::uint64_t i = 0; i < 3; i++) {
           const std::uint64_t key = here + (z << 42) + (y << 21) + i -
                                     ((std::uint64_t{1} << 42) + (1 << 21) + 1);
-          std::size_t s = mixBits(key) & (slot_.size() - 1);
-          while (slot_[s] != none && key_[slot_[s]] != key) s = (s + 1) & (slot_.size() - 1);
-          if (slot_[s] != none) f(first_[slot_[s]], first_[slot_[s] + 1]);
+          std::size_t s = mixBits(key) & (bucket_.size() - 1);
+          while (bucket_[s] != none && key_[bucket_[s]] != key) s = (s + 1) & (bucket_.size() - 1);
+          if (bucket_[s] != none) f(first_[bucket_[s]], first_[bucket_[s] + 1]);
         }
   }
 
@@ -67,7 +67,7 @@ class PointCells {
   static constexpr std::uint64_t mask = (1 << 21) - 1;
   double back_;
   Vec3d low_{};
-  std::vector<std::uint32_t> order_, first_, slot_;
+  std::vector<std::uint32_t> order_, first_, bucket_;
   std::vector<std::uint64_t> key_;
 };
 

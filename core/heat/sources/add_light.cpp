@@ -95,7 +95,7 @@ double lightOn(const LightTarget& w, const LightStops& stops, const LitRow& lit)
     const double depth = work.map.depth(cell);
     const std::int64_t weight = lightWeight(source, s.depth - depth, d2 * scale, spacing);
     if (weight == 0) return;
-    const CellLight& light = lightOf(work.lights[v.slot], c, stops);
+    const CellLight& light = lightOf(work.lights[v.cacheIndex], c, stops);
     if (light.end < depth - 0.5 * spacing) return;
     sum += light.power * coverageOf(work.map, v, c, spacing) *
            (static_cast<double>(weight) / static_cast<double>(work.map.weights[cell]));
@@ -130,8 +130,8 @@ LightReceived receiveLight(const LightTarget& w, double dt, Reducer& all) {
   const bool stayed = obstaclesStayed(w.walls, work);
   if (!stayed) work.lights.clear();
   for (const LightView& v : work.views) {
-    if (v.slot >= work.lights.size()) work.lights.resize(v.slot + 1);
-    updateLights(work.lights[v.slot], v, work.sources[v.source]);
+    if (v.cacheIndex >= work.lights.size()) work.lights.resize(v.cacheIndex + 1);
+    updateLights(work.lights[v.cacheIndex], v, work.sources[v.source]);
   }
   const LightStops stops{w.walls, {s.domain.min, s.domain.max}, s.spacing};
   light.lamps.assign(s.lamps.empty() ? 0 : p.owned, 0.0);

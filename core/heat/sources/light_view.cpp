@@ -151,7 +151,7 @@ void addViews(const LightSource& s, std::size_t index, const Bounds& bodies, dou
               std::vector<LightView>& views) {
   LightView v;
   v.source = index;
-  v.slot = 6 * s.number;
+  v.cacheIndex = 6 * s.number;
   v.parallel = s.profile == LightProfile::Uniform || s.profile == LightProfile::Gaussian;
   v.origin = s.position;
   const Vec3d ahead = s.direction, side = acrossOf(ahead), up = cross(ahead, side);
@@ -161,7 +161,7 @@ void addViews(const LightSource& s, std::size_t index, const Bounds& bodies, dou
   const auto face = [&](const Vec3d& to, const Vec3d& across, const Vec3d& upward) {
     v.ahead = to, v.side = across, v.up = upward;
     addFace(v, bodies, spacing, views);
-    v.slot++;
+    v.cacheIndex++;
   };
   face(ahead, side, up);
   if (back) face(-ahead, side, up);

@@ -35,8 +35,8 @@ struct LightSource {
 
 /// Rays of a source. Cell (i, j) has the ray through its centre, ((i + 1/2) cell, (j + 1/2) cell).
 struct LightView {
-  std::size_t source = 0;  ///< index into the sources of the step
-  std::size_t slot = 0;    ///< unique among the views of all steps
+  std::size_t source = 0;      ///< index into the sources of the step
+  std::size_t cacheIndex = 0;  ///< unique among the views of all steps
   bool parallel = true;
   Vec3d origin{};                       ///< m, of the coordinates; of the rays if they are not parallel
   Vec3d side{}, up{}, ahead{};          ///< axes; coordinates along side and up, light along ahead

@@ -49,7 +49,7 @@ struct LitRow {
 struct LightWork {
   std::vector<LightSource> sources;
   std::vector<LightView> views;
-  std::vector<CellLights> lights;  ///< by LightView::slot
+  std::vector<CellLights> lights;  ///< by LightView::cacheIndex
   LightMap map;
   std::vector<LightGroup> groups;
   std::vector<std::uint32_t> order;  ///< groups by their distance along the light

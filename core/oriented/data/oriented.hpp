@@ -33,7 +33,8 @@ struct Oriented : BodyTypeRows {
       "two bits per cut of the scene: 0 away from it, 1 and 2 its sides, which do not interact"};
   Column<std::uint8_t> flags{*this, "flags", "1", Keep::State,
       "bits: 1 creased, 2 fixed position, 4 fixed orientation, 16 born in contact"};
-  Column<std::uint16_t> anchor{*this, "anchor", "1", Keep::State, "index of its anchor in its body"};
+  Column<std::uint16_t> constraint{*this, "constraint", "1", Keep::State,
+      "index of its constraint in its body"};
   Column<Vec3d> restPosition{*this, "restPosition", "m", Keep::State,
       "initial position of anchored particles"};
   Column<Quat> restOrientation{*this, "restOrientation", "1", Keep::State,

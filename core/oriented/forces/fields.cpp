@@ -41,7 +41,7 @@ double factorNow(const OrientedView& w, const OrientedField& f) {
 /// Returns whether the field acts at a position.
 bool meets(const OrientedField& f, const SignedDistance* region, const Vec3d& x) {
   if (region && !region->inside(x)) return false;
-  return f.pull == 0 || length(f.push) > 0 || f.pressure != 0 || length(f.point - x) < f.radius;
+  return f.attraction == 0 || length(f.acceleration) > 0 || f.pressure != 0 || length(f.point - x) < f.radius;
 }
 
 }  // namespace
@@ -51,20 +51,20 @@ FieldForce fieldForce(const OrientedView& w, std::size_t i) {
   const OrientedWork& work = w.work;
   const std::size_t b = o.body[i];
   const OrientedBody& body = w.scene.oriented[b];
-  Vec3d push = body.push;
+  Vec3d push = body.acceleration;
   double pressure = body.pressure, slope = 0;
   for (std::size_t k = 0; k < body.fields.size(); k++) {
     const OrientedField& f = body.fields[k];
     const double factor = factorNow(w, f);
     if (factor == 0) continue;
     if (const auto& region = work.fieldRegions[b][k]; region && !region->inside(o.position[i])) continue;
-    push += factor * f.push;
+    push += factor * f.acceleration;
     pressure += factor * f.pressure;
-    if (f.pull == 0) continue;
+    if (f.attraction == 0) continue;
     const Vec3d d = f.point - o.position[i];
     // 0.286 is the largest value of u (1 - u^2)^2
     const double left = 1 - dot(d, d) / (f.radius * f.radius),
-                 steepest = factor * f.pull / (0.28621670111997308 * f.radius);
+                 steepest = factor * f.attraction / (0.28621670111997308 * f.radius);
     if (!(left > 0)) continue;
     push += (steepest * left * left) * d;
     slope += 2 * std::abs(steepest);

@@ -22,7 +22,7 @@ double surfaceSpeed(const Scene& s) {
   double surface = 0;
   for (const OrientedBody& b : s.oriented) {
     surface = std::max(surface, length(b.velocity));
-    for (const OrientedAnchor& a : b.anchors) surface = std::max(surface, fastestMove(a.motion));
+    for (const OrientedConstraint& a : b.constraints) surface = std::max(surface, fastestMove(a.motion));
   }
   return surface;
 }

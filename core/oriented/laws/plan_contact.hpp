@@ -23,7 +23,7 @@ struct OrientedContact {
 /// Returns the contact of each oriented body. The barrier's force at `room` is 2 b room, its energy b room^2
 /// / 2. b is the largest of
 /// - m (2 v / room)^2, which stops mass m at four times the energy of the scene's speed v (falls, initial
-/// velocities, obstacles, anchors);
+/// velocities, obstacles, constraints);
 /// - m c v / (2 s room), with sound speed c and spacing s. It is three times the water-hammer pressure rho c
 /// v of a body stopped by a fixed surface;
 /// - the strength of bonds that pull the surface into a body.

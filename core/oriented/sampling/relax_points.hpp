@@ -14,7 +14,7 @@ template<class Project> void relaxPoints(double range, SampledPoints& m, const P
   for (int pass = 0; pass < passes; pass++) {
     const PointTree tree(m.places);
     for (std::size_t i = 0; i < m.places.size(); i++) {
-      if (m.held[i]) continue;
+      if (m.flags[i]) continue;
       Vec3d push{};
       for (const std::uint32_t j : tree.within(tree.points()[i], range)) {
         if (j == i || !(dot(m.normals[i], m.normals[j]) > 0)) continue;
@@ -27,7 +27,7 @@ template<class Project> void relaxPoints(double range, SampledPoints& m, const P
       for (int k = 0; k < 2; k++) project(m.places[i], n);
     }
     for (std::size_t i = 0; i < m.places.size(); i++)
-      if (!m.held[i]) {
+      if (!m.flags[i]) {
         Vec3d place = m.places[i];
         project(place, m.normals[i]);
       }

@@ -99,7 +99,7 @@ SampledPoints plateThrough(const OrientedBody& b, double spacing, std::uint64_t 
   });
   for (std::size_t i = 0; i < m.places.size(); i++)
     for (const Vec3d& point : b.points)
-      if (length(m.places[i] - point) < fixedRadius * spacing) m.held[i] = fixedPosition | fixedOrientation;
+      if (length(m.places[i] - point) < fixedRadius * spacing) m.flags[i] = fixedPosition | fixedOrientation;
   return m;
 }
 

@@ -11,15 +11,15 @@ namespace thaw {
 /// Sampled points, one per particle in the order of their numbers; the same on all ranks.
 struct SampledPoints {
   std::vector<Vec3d> places, normals;
-  std::vector<std::uint8_t> held;  ///< Oriented::flags of given points and control points
-  std::vector<std::string> notes;  ///< repairs of meshes, a sentence each
+  std::vector<std::uint8_t> flags;  ///< Oriented::flags of given points and control points
+  std::vector<std::string> notes;   ///< repairs of meshes, a sentence each
   double reach = 0;  ///< m, after thinning the largest distance of a surface position from the points, else 0
 };
 
-inline void addPoint(SampledPoints& m, const Vec3d& x, const Vec3d& n, std::uint8_t held = 0) {
+inline void addPoint(SampledPoints& m, const Vec3d& x, const Vec3d& n, std::uint8_t flags = 0) {
   m.places.push_back(x);
   m.normals.push_back(n);
-  m.held.push_back(held);
+  m.flags.push_back(flags);
 }
 
 /// Samples a body: a shape's surface or an open mesh, a hexagonal patch or disc, points, a thin plate through

@@ -46,9 +46,9 @@ void sortRecords(PieceRecords& r) {
 
 }  // namespace
 
-PieceRecords shareRecords(const PieceRecords& own, std::span<const std::uint64_t> held, Reducer& all) {
+PieceRecords shareRecords(const PieceRecords& own, std::span<const std::uint64_t> ownPieces, Reducer& all) {
   WordStreams out(all.size());
-  for (const std::uint64_t id : held) {
+  for (const std::uint64_t id : ownPieces) {
     std::vector<std::uint64_t>& to = out.to(homeRank(id, all.size()));
     to.insert(to.end(), {isHolder, id});
   }

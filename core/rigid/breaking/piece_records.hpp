@@ -20,7 +20,7 @@ struct PieceRecords {
 };
 
 /// Returns the records of all ranks about the pieces that this rank holds, sorted by their words. The home
-/// ranks of the pieces forward them. held: pieces of this rank. Collective.
-PieceRecords shareRecords(const PieceRecords& own, std::span<const std::uint64_t> held, Reducer& all);
+/// ranks of the pieces forward them. ownPieces: pieces of this rank. Collective.
+PieceRecords shareRecords(const PieceRecords& own, std::span<const std::uint64_t> ownPieces, Reducer& all);
 
 }  // namespace thaw

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/neighbours/mixed_cells.hpp"
-#include "core/solid/elasticity/active_slots.hpp"
+#include "core/solid/elasticity/active_solids.hpp"
 
 namespace thaw {
 namespace {
@@ -31,7 +31,7 @@ bool isSoft(const Scene& scene, const Continuum& p, std::size_t i, double margin
   return p.liquid[i] > 0 || p.temperature[i] > scene.materials[p.material[i]].solidus - margin;
 }
 
-/// Sums over the bonds of a slot, with directions e and velocity differences over lengths u.
+/// Sums over the bonds of a solid, with directions e and velocity differences over lengths u.
 struct BondRates {
   Mat3d moment{}, product{};  ///< sums of e e^T and u e^T
   double squares = 0;         ///< sum of (e u)^2, squared rates of the lengths
@@ -64,15 +64,15 @@ double strainRate2(const BondRates& bonds) {
   return sum;
 }
 
-BondRates bondRates(const RigidifyView& v, std::size_t slot) {
+BondRates bondRates(const RigidifyView& v, std::size_t solidIndex) {
   const Solids& s = v.solids;
   BondRates rates;
-  for (int k = 0; k < v.elastic.bondCount[slot / lanes]; k++) {
-    if (!v.bonds.hasBond(slot, k)) continue;
-    const std::uint32_t end = v.bonds.neighbour[v.bonds.at(slot, k)];
-    const Vec3d d = minimumImage(s.position[end] - s.position[slot], v.elastic.periods);
+  for (int k = 0; k < v.elastic.bondCount[solidIndex / lanes]; k++) {
+    if (!v.bonds.hasBond(solidIndex, k)) continue;
+    const std::uint32_t end = v.bonds.neighbour[v.bonds.at(solidIndex, k)];
+    const Vec3d d = minimumImage(s.position[end] - s.position[solidIndex], v.elastic.periods);
     const double perLength = 1 / length(d);
-    rates.add(d * perLength, (s.velocity[end] - s.velocity[slot]) * perLength);
+    rates.add(d * perLength, (s.velocity[end] - s.velocity[solidIndex]) * perLength);
   }
   return rates;
 }
@@ -84,11 +84,11 @@ void wakeTouching(const RigidifyView& v) {
   for (const ClosePair& pair : v.closePairs.list)
     if (p.piece[pair.own] == notRigid || p.piece[pair.own] != p.piece[pair.other]) {
       bool bonded = false;
-      const std::uint32_t slot = p.slot[pair.own];
-      if (slot == noSlot) continue;
-      for (int k = 0; k < v.elastic.bondCount[slot / lanes] && !bonded; k++)
-        bonded = v.bonds.hasBond(slot, k) &&
-                 v.solids.id[v.bonds.neighbour[v.bonds.at(slot, k)]] == p.id[pair.other];
+      const std::uint32_t solidIndex = p.solidIndex[pair.own];
+      if (solidIndex == noSolid) continue;
+      for (int k = 0; k < v.elastic.bondCount[solidIndex / lanes] && !bonded; k++)
+        bonded = v.bonds.hasBond(solidIndex, k) &&
+                 v.solids.id[v.bonds.neighbour[v.bonds.at(solidIndex, k)]] == p.id[pair.other];
       if (!bonded) p.restTime[pair.own] = 0;
     }
 }
@@ -126,7 +126,8 @@ void wakeStretching(const RigidifyView& v, std::int64_t step) {
 }  // namespace
 
 bool isToBeRigid(const Scene& scene, const Continuum& p, std::size_t i) {
-  if (p.phase[i] != Solid || p.slot[i] == noSlot || (p.clamped.active && p.clamped[i] != 0)) return false;
+  if (p.phase[i] != Solid || p.solidIndex[i] == noSolid || (p.clamped.active && p.clamped[i] != 0))
+    return false;
   return p.restTime[i] > 0 &&
          (p.piece[i] != notRigid || static_cast<double>(p.restTime[i]) >= scene.numerics.sleepAfter);
 }
@@ -145,7 +146,7 @@ bool findDeforming(const RigidifyView& v, double dt) {
   const Scene& scene = v.rigid.scene;
   Continuum& p = v.rigid.particles;
   for (std::size_t i = 0; i < p.owned; i++)
-    if (p.phase[i] != Solid || p.slot[i] == noSlot || isSoft(scene, p, i, 0)) p.restTime[i] = 0;
+    if (p.phase[i] != Solid || p.solidIndex[i] == noSolid || isSoft(scene, p, i, 0)) p.restTime[i] = 0;
     // A rest time of 0 of a rigid particle means that its load changed in this evaluation.
     else if (p.restTime[i] > 0 || p.piece[i] == notRigid)
       p.restTime[i] = static_cast<float>(static_cast<double>(p.restTime[i]) + dt);
@@ -164,7 +165,7 @@ bool findDeforming(const RigidifyView& v, double dt) {
 
 bool nothingDeforms(const RigidifyView& v) {
   const RigidView& r = v.rigid;
-  if (r.work.changedHere || anyActiveSlot(v.elastic, v.solids)) return false;
+  if (r.work.changedHere || anyActiveSolid(v.elastic, v.solids)) return false;
   MixedCells mixed;
   rangesOfCells(r.cells, r.particles, r.particles.piece, mixed.ranges);
   return !anyMixedCell(r.cells, r.particles.owned, mixed,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/rigid/rigidify/loads.hpp"
 
-#include "core/solid/elasticity/active_slots.hpp"
+#include "core/solid/elasticity/active_solids.hpp"
 
 namespace thaw {
 
@@ -13,7 +13,7 @@ void compareLoads(const RigidifyView& v) {
                area = scene.spacing * scene.spacing;
   for (std::size_t i = 0; i < p.owned; i++) {
     Vec3d& before = p.constraintForce[i];
-    if (p.piece[i] == notRigid || p.slot[i] == noSlot || !isPassive(v.elastic, p.slot[i])) {
+    if (p.piece[i] == notRigid || p.solidIndex[i] == noSolid || !isPassive(v.elastic, p.solidIndex[i])) {
       before = {unknown, 0, 0};
       continue;
     }

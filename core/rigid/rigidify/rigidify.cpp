@@ -10,13 +10,13 @@
 #include "core/rigid/piece_sums.hpp"
 #include "core/rigid/rigidify/deforming.hpp"
 #include "core/rigid/update_pieces.hpp"
-#include "core/solid/elasticity/active_slots.hpp"
+#include "core/solid/elasticity/active_solids.hpp"
 
 namespace thaw {
 namespace {
 
-/// Joins slots that a bond connects and that are both to be rigid.
-DisjointSets joinBonded(const RigidifyView& v, const SlotPieces& labels) {
+/// Joins solids that a bond connects and that are both to be rigid.
+DisjointSets joinBonded(const RigidifyView& v, const SolidPieces& labels) {
   const Solids& s = v.solids;
   DisjointSets sets(s.size());
   for (std::uint32_t i = 0; i < s.owned; i++) {
@@ -31,7 +31,7 @@ DisjointSets joinBonded(const RigidifyView& v, const SlotPieces& labels) {
 }
 
 /// Labels pieces by 1 + the smallest id of all particles that bonds connect.
-void labelBonded(const RigidifyView& v, const Halos& halos, SlotPieces& labels) {
+void labelBonded(const RigidifyView& v, const Halos& halos, SolidPieces& labels) {
   const Continuum& p = v.rigid.particles;
   Solids& s = v.solids;
   for (std::size_t i = 0; i < s.owned; i++) {
@@ -45,7 +45,7 @@ void labelBonded(const RigidifyView& v, const Halos& halos, SlotPieces& labels) 
 }
 
 /// Removes the labels of small pieces. Their particles become eligible again after sleep_after.
-void dropSmall(const RigidifyView& v, Reducer& all, SlotPieces& labels) {
+void dropSmall(const RigidifyView& v, Reducer& all, SolidPieces& labels) {
   const Solids& s = v.solids;
   std::vector<std::uint64_t> ids;
   for (std::size_t i = 0; i < s.owned; i++)
@@ -72,7 +72,7 @@ void dropSmall(const RigidifyView& v, Reducer& all, SlotPieces& labels) {
 void rigidifySolids(const RigidifyView& v, const Halos& halos) {
   Continuum& p = v.rigid.particles;
   Solids& s = v.solids;
-  SlotPieces labels;
+  SolidPieces labels;
   labels.resize(s.owned, s.ghosts);
   wakeSoftening(v);
   labelBonded(v, halos, labels);
@@ -81,7 +81,7 @@ void rigidifySolids(const RigidifyView& v, const Halos& halos) {
   for (std::size_t i = 0; i < s.owned; i++) p.setLabel[s.particle[i]] = labels.piece[i];
   remakePieces(v.rigid, halos, false);
   refresh(halos.bonds, s, ColumnList{&labels.piece}).wait();
-  chooseActiveSlots(v.elastic, s, v.bonds, labels);
+  chooseActiveSolids(v.elastic, s, v.bonds, labels);
 }
 
 }  // namespace thaw

@@ -53,7 +53,8 @@ void addVertexForces(SheetBodies& b, const Scene& scene) {
   std::vector<double> slope(s.owned, 0);
   double reach2 = 0;
   for (std::size_t k = 0; k < b.plans.size(); k++) {
-    const double r = b.plans[k].thickness + (scene.sheets[k].pull > 0 ? scene.sheets[k].pullReach : 0);
+    const double r = b.plans[k].thickness +
+                     (scene.sheets[k].attraction > 0 ? scene.sheets[k].attractionRange : 0);
     reach2 = std::max(reach2, r * r);
   }
   eachNear(b.cells, s.owned, b.cells, [&](std::size_t i, std::size_t j) {
@@ -66,7 +67,7 @@ void addVertexForces(SheetBodies& b, const Scene& scene) {
     const SheetBody &x = scene.sheets[s.body[i]], &y = scene.sheets[s.body[j]];
     const bool same = s.body[i] == s.body[j];
     if (same) {
-      if (!(x.push > 0) && !(x.pull > 0)) return;
+      if (!(x.repulsion > 0) && !(x.attraction > 0)) return;
       const Vec3d apart = s.rest[i] - s.rest[j];
       const double never2 = exclusionDistance(p) * exclusionDistance(p);
       if (dot(apart, apart) < never2) return;
@@ -75,22 +76,23 @@ void addVertexForces(SheetBodies& b, const Scene& scene) {
     const Vec3d n = d / r;
     Vec3d force{};
     double energy = 0;
-    const double beyond = -depth, reach = std::max(x.pullReach, y.pullReach);
-    if (const PairSpring push = pairSpring(b, scene, SheetFactor::Push, i, j); push.later > 0 && depth > 0) {
+    const double beyond = -depth, reach = std::max(x.attractionRange, y.attractionRange);
+    if (const PairSpring push = pairSpring(b, scene, SheetFactor::Repulsion, i, j);
+        push.later > 0 && depth > 0) {
       const double unit = 0.5 * depth * depth;
       force += n * (push.stiffness * depth);
       energy += push.stiffness * unit;
       slope[i] += push.later;
-      if (s.changing.active) factorEnergyOf(s, i, SheetFactor::Push) += push.own * unit;
+      if (s.changing.active) factorEnergyOf(s, i, SheetFactor::Repulsion) += push.own * unit;
     }
-    if (const PairSpring pull = pairSpring(b, scene, SheetFactor::Pull, i, j);
+    if (const PairSpring pull = pairSpring(b, scene, SheetFactor::Attraction, i, j);
         pull.later > 0 && beyond < reach) {
       const double u = std::max(beyond, 0.0) / reach,
                    unit = reach * reach * (u * u * (0.5 - u * (2.0 / 3) + 0.25 * u * u) - 1.0 / 12);
       force -= n * (pull.stiffness * reach * u * (1 - u) * (1 - u));
       energy += pull.stiffness * unit;
       slope[i] += pull.later;
-      if (s.changing.active) factorEnergyOf(s, i, SheetFactor::Pull) += pull.own * unit;
+      if (s.changing.active) factorEnergyOf(s, i, SheetFactor::Attraction) += pull.own * unit;
     }
     s.load[i] += force / s.area[i];
     s.energy[i] += 0.5 * energy;
@@ -222,7 +224,7 @@ namespace {
 
 bool hasVertexForces(const Scene& s) {
   return std::any_of(s.sheets.begin(), s.sheets.end(),
-                     [](const SheetBody& b) { return b.push > 0 || b.pull > 0; });
+                     [](const SheetBody& b) { return b.repulsion > 0 || b.attraction > 0; });
 }
 
 }  // namespace

@@ -28,10 +28,10 @@ struct Sheets : BodyTypeRows {
   Column<Vec3d> load{*this, "load", "N/m^2", Keep::State,
       "force per area of the last evaluation, without rest spring and damping"};
   Column<Vec3d> outside{*this, "outside", "N/m^2", Keep::State,
-      "external part of the load: wind, wrap, brushes; only where a sheet has one"};
+      "external part of the load: wind, wrap, pressureBrushes; only where a sheet has one"};
   Column<Mat3d> changing{*this, "changing", "J", Keep::State,
-      "energy of time-dependent coefficients at a factor of 1: warp, weft, shear; bending, volume, push; "
-      "pull; only where one changes"};
+      "energy of time-dependent coefficients at a factor of 1: warp, weft, shear; bending, volume, "
+      "repulsion; attraction; only where one changes"};
   Column<Vec3d> moved{*this, "moved", "m", Keep::State,
       "displacement over the last step; only with external loads or damping"};
   Column<Vec3d> dissipativeForce{*this, "dissipativeForce", "N/m^2", Keep::State,
@@ -47,7 +47,7 @@ struct Sheets : BodyTypeRows {
       "area vector: a third of its triangles', along the normal"};
   Column<Vec3d> moving{*this, "moving", "m/s", Keep::Transient,
       "velocity at the time of the forces; only with contact of vertices"};
-  Column<std::uint32_t> slot{*this, "slot", "1", Keep::Local, "row in the table of edges' ends"};
+  Column<std::uint32_t> solidIndex{*this, "solid_index", "1", Keep::Local, "row in the table of edges' ends"};
   // clang-format on
 };
 

@@ -21,15 +21,18 @@ std::vector<WrapTarget> wrapTargets(const Scene& s, const std::string& name) {
 
 WrapTarget wrapTarget(const Scene& s, std::size_t sheet) {
   const SheetBody& b = s.sheets[sheet];
-  if (b.wrapTo.empty()) return {};
-  const std::vector<WrapTarget> found = wrapTargets(s, b.wrapTo);
-  if (found.empty()) throw ShapeError("wrap_to: unknown obstacle or body '" + b.wrapTo + "'", b.where);
+  if (b.shrinkWrapTo.empty()) return {};
+  const std::vector<WrapTarget> found = wrapTargets(s, b.shrinkWrapTo);
+  if (found.empty())
+    throw ShapeError("shrink_wrap_to: unknown obstacle or body '" + b.shrinkWrapTo + "'", b.where);
   if (found.size() > 1)
-    throw ShapeError("wrap_to: '" + b.wrapTo + "' names several objects of the scene; expected a unique name",
-                     b.where);
+    throw ShapeError(
+        "shrink_wrap_to: '" + b.shrinkWrapTo + "' names several objects of the scene; expected a unique name",
+        b.where);
   if (found[0] == WrapTarget{WrapKind::Sheet, static_cast<std::uint16_t>(sheet)})
     throw ShapeError(
-        "wrap_to: a sheet cannot wrap around itself; omit `wrap_to` to wrap against its own normals",
+        "shrink_wrap_to: a sheet cannot wrap around itself; omit `shrink_wrap_to` to shrink against its own "
+        "normals",
         b.where);
   return found[0];
 }

@@ -19,7 +19,7 @@ struct WrapTarget {
   bool operator==(const WrapTarget&) const = default;
 };
 
-/// Returns all targets that a name of wrap_to may mean, none or several.
+/// Returns all targets that a name of shrink_wrap_to may mean, none or several.
 std::vector<WrapTarget> wrapTargets(const Scene& scene, const std::string& name);
 
 /// Returns the target of a sheet. Throws ShapeError if its name is unknown, ambiguous, or the sheet itself.

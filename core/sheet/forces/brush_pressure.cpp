@@ -20,7 +20,7 @@ double falloff(double r2, double radius) {
 
 }  // namespace
 
-std::vector<BrushSample> brushSamples(const SheetBrush& b, double time, double dt) {
+std::vector<PressureSample> pressureSamples(const PressureBrush& b, double time, double dt) {
   const double from = time - 0.5 * dt, to = time + 0.5 * dt;
   std::vector<double> ends{from};  // pieces of constant velocity and factor slope
   for (const Keyframe& k : b.motion)
@@ -34,9 +34,10 @@ std::vector<BrushSample> brushSamples(const SheetBrush& b, double time, double d
   };
   if (!(dt > 0) || (ends.size() == 2 && length(centreAt(to) - centreAt(from)) == 0)) {
     const double factor = b.inTime.at(time);
-    return factor != 0 ? std::vector<BrushSample>{{centreAt(time), factor}} : std::vector<BrushSample>{};
+    return factor != 0 ? std::vector<PressureSample>{{centreAt(time), factor}}
+                       : std::vector<PressureSample>{};
   }
-  std::vector<BrushSample> stroke;
+  std::vector<PressureSample> samples;
   for (std::size_t k = 0; k + 1 < ends.size(); k++) {
     const double over = ends[k + 1] - ends[k];
     if (!(over > 0)) continue;
@@ -45,15 +46,15 @@ std::vector<BrushSample> brushSamples(const SheetBrush& b, double time, double d
     const auto touches = static_cast<int>(std::clamp(std::ceil(way / (finest * b.radius)), 1.0, most));
     for (int q = 0; q < touches; q++) {
       const double t = ends[k] + over * ((q + 0.5) / touches), share = b.inTime.at(t) * over / (dt * touches);
-      if (share != 0) stroke.push_back({centreAt(t), share});
+      if (share != 0) samples.push_back({centreAt(t), share});
     }
   }
-  return stroke;
+  return samples;
 }
 
-Vec3d brushPressure(const SheetBrush& b, const std::vector<BrushSample>& stroke, const Vec3d& place) {
+Vec3d brushPressure(const PressureBrush& b, const std::vector<PressureSample>& samples, const Vec3d& place) {
   double share = 0;
-  for (const BrushSample& t : stroke) {
+  for (const PressureSample& t : samples) {
     const Vec3d d = place - t.centre;
     if (const double f = falloff(dot(d, d), b.radius); f > 0) share += t.share * f;
   }

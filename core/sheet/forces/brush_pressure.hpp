@@ -8,7 +8,7 @@
 namespace thaw {
 
 /// Sample of a brush on its path, and its fraction of the pressure.
-struct BrushSample {
+struct PressureSample {
   Vec3d centre{};
   double share = 0;
 };
@@ -16,9 +16,10 @@ struct BrushSample {
 /// Returns samples of a brush whose mean is its pressure over dt (s) around `time` (s). Successive steps
 /// cover the whole path. It is one sample at `time` if dt is 0, or if the brush is at rest and its factor
 /// constant.
-std::vector<BrushSample> brushSamples(const SheetBrush& brush, double time, double dt);
+std::vector<PressureSample> pressureSamples(const PressureBrush& brush, double time, double dt);
 
 /// Returns the pressure (Pa) at a position.
-Vec3d brushPressure(const SheetBrush& brush, const std::vector<BrushSample>& stroke, const Vec3d& place);
+Vec3d brushPressure(const PressureBrush& brush, const std::vector<PressureSample>& samples,
+                    const Vec3d& place);
 
 }  // namespace thaw

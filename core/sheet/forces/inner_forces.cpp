@@ -23,21 +23,21 @@ void clearEdges(SheetBodies& b) {
   b.edgesAtStart = true;
 }
 
-void clearSlotsAtStart(SheetBodies& b, bool left) {
-  if (b.edgesAtStart) std::fill_n(b.rows.slot.data(), b.rows.owned, noSlot);
+void clearSolidsAtStart(SheetBodies& b, bool left) {
+  if (b.edgesAtStart) std::fill_n(b.rows.solidIndex.data(), b.rows.owned, noSolid);
   b.leftHere = b.leftHere || left;
 }
 
 std::vector<BondRequest> edgeRequests(const SheetBodies& b) {
   std::vector<BondRequest> requests;
-  for (std::uint32_t slot = 0; slot < b.edges.ends.owned; slot++) {
-    const std::uint64_t id = b.edges.ends.id[slot], sheet = id >> 40;
+  for (std::uint32_t solidIndex = 0; solidIndex < b.edges.ends.owned; solidIndex++) {
+    const std::uint64_t id = b.edges.ends.id[solidIndex], sheet = id >> 40;
     const auto v = static_cast<std::uint32_t>(id & ((1ull << 40) - 1));
     const SheetPlan& plan = b.plans[sheet];
     const SheetTopology& t = plan.topology;
     double number = 1;
     const auto ask = [&](std::uint32_t to, double length, double stiffness, double triangle) {
-      requests.push_back({slot, sheet << 40 | to, {length, stiffness, triangle}, {}, number++});
+      requests.push_back({solidIndex, sheet << 40 | to, {length, stiffness, triangle}, {}, number++});
     };
     for (std::uint32_t k = t.first[v]; k < t.first[v + 1]; k++) {
       const RingEdge& r = t.ring[k];
@@ -48,9 +48,9 @@ std::vector<BondRequest> edgeRequests(const SheetBodies& b) {
   return requests;
 }
 
-int searchTriangle(const Bonds& b, std::size_t slot, double next) {
+int searchTriangle(const Bonds& b, std::size_t solidIndex, double next) {
   for (int other = 0; other < b.capacity; other++)  // a neighbour has left the domain
-    if (b.weight[b.at(slot, other)] == next) return other;
+    if (b.weight[b.at(solidIndex, other)] == next) return other;
   return -1;
 }
 
@@ -62,22 +62,22 @@ void updateEdgeEnds(SheetBodies& b, BondHalo& edges) {
   edges.finish(e);
 }
 
-Vec3d areaNormalOf(const SheetEdges& e, std::size_t slot) {
+Vec3d areaNormalOf(const SheetEdges& e, std::size_t solidIndex) {
   Vec3d sum{};
   for (int k = 0; k < e.bonds.capacity; k++) {
-    if (!(e.bonds.weight[e.bonds.at(slot, k)] > 0)) break;
-    const int next = triangleWith(e.bonds, slot, k);
-    if (next >= 0) sum += cross(edgeVector(e, slot, k), edgeVector(e, slot, next));
+    if (!(e.bonds.weight[e.bonds.at(solidIndex, k)] > 0)) break;
+    const int next = triangleWith(e.bonds, solidIndex, k);
+    if (next >= 0) sum += cross(edgeVector(e, solidIndex, k), edgeVector(e, solidIndex, next));
   }
   return sum / 6.0;
 }
 
 namespace {
 
-/// Adds the springs of a slot and sets its area vector (as areaNormalOf), in one pass over its neighbours.
-void addBonds(SheetBodies& b, const Scene& scene, std::size_t slot, bool springs, bool normals) {
+/// Adds the springs of a vertex and sets its area vector (as areaNormalOf), in one pass over its neighbours.
+void addBonds(SheetBodies& b, const Scene& scene, std::size_t solidIndex, bool springs, bool normals) {
   Sheets& s = b.rows;
-  const std::uint32_t i = b.edges.ends.particle[slot];
+  const std::uint32_t i = b.edges.ends.particle[solidIndex];
   const SheetBody& body = scene.sheets[s.body[i]];
   const Bonds& bonds = b.edges.bonds;
   const bool limited = body.stretchLimit < never;
@@ -91,9 +91,9 @@ void addBonds(SheetBodies& b, const Scene& scene, std::size_t slot, bool springs
   Vec3d edge[room];
   int count = 0;
   for (; count < bonds.capacity; count++) {
-    const std::size_t at = bonds.at(slot, count);
+    const std::size_t at = bonds.at(solidIndex, count);
     if (!(bonds.weight[at] > 0)) break;
-    const Vec3d d = b.edges.ends.position[bonds.neighbour[at]] - b.edges.ends.position[slot];
+    const Vec3d d = b.edges.ends.position[bonds.neighbour[at]] - b.edges.ends.position[solidIndex];
     if (count < room) edge[count] = d;
     double stiffness = bonds.y[at], later = stiffness;
     if (!springs || !(stiffness > 0)) continue;
@@ -125,13 +125,13 @@ void addBonds(SheetBodies& b, const Scene& scene, std::size_t slot, bool springs
   }
   if (!normals) return;
   if (count > room) {
-    s.areaNormal[i] = areaNormalOf(b.edges, slot);
+    s.areaNormal[i] = areaNormalOf(b.edges, solidIndex);
     return;
   }
   Vec3d sum{};
   for (int k = 0; k < count; k++)
-    if (const int next = triangleWith(bonds, slot, k); next >= 0)
-      sum += cross(edge[k], next < count ? edge[next] : edgeVector(b.edges, slot, next));
+    if (const int next = triangleWith(bonds, solidIndex, k); next >= 0)
+      sum += cross(edge[k], next < count ? edge[next] : edgeVector(b.edges, solidIndex, next));
   s.areaNormal[i] = sum / 6.0;
 }
 
@@ -206,10 +206,10 @@ void addInnerForces(SheetBodies& b, const Scene& scene, Halos halos) {
   }
   if (!springs && !normals) return;
   updateEdgeEnds(b, *halos.edges);
-  for (std::size_t slot = 0; slot < b.edges.ends.owned; slot++) {
-    const std::uint32_t i = b.edges.ends.particle[slot];
+  for (std::size_t solidIndex = 0; solidIndex < b.edges.ends.owned; solidIndex++) {
+    const std::uint32_t i = b.edges.ends.particle[solidIndex];
     const SheetPlan& p = b.plans[b.rows.body[i]];
-    if (p.edgeForces || p.normals) addBonds(b, scene, slot, p.edgeForces, p.normals);
+    if (p.edgeForces || p.normals) addBonds(b, scene, solidIndex, p.edgeForces, p.normals);
   }
   if (normals) addPressure(b, halos.all);
 }

@@ -10,39 +10,42 @@ namespace thaw {
 void activateEdges(SheetEdges& edges);
 
 /// Returns the vertices as endpoints of bonds.
-inline BondedRows vertexRows(Sheets& s) { return {s.owned, s.id.data(), s.slot.data(), s.body.data()}; }
+inline BondedRows vertexRows(Sheets& s) { return {s.owned, s.id.data(), s.solidIndex.data(), s.body.data()}; }
 
 /// Removes all ends and bonds, as at the start.
 void clearEdges(SheetBodies& sheets);
 
-/// Clears slots before vertices migrate, if none are assigned yet: at the start and after a restart. left:
-/// some vertex has left the domain.
-void clearSlotsAtStart(SheetBodies& sheets, bool left);
+/// Clears solid indices before vertices migrate, if none are assigned yet: at the start and after a restart.
+/// left: some vertex has left the domain.
+void clearSolidsAtStart(SheetBodies& sheets, bool left);
 
-/// Returns the bonds of the plans for all slots of this rank: rings in order, then the vertices across edges.
+/// Returns the bonds of the plans for all vertices of this rank: rings in order, then the vertices across
+/// edges.
 std::vector<BondRequest> edgeRequests(const SheetBodies& sheets);
 
-/// Returns the index in a slot's bonds of the neighbour that closes a triangle with bond k, or -1 without
-/// one. searchTriangle does the same if some neighbour has left the domain.
-int searchTriangle(const Bonds& bonds, std::size_t slot, double next);
-inline int triangleWith(const Bonds& b, std::size_t slot, int k) {
-  const double next = b.z[b.at(slot, k)];
+/// Returns the index among a vertex's bonds of the neighbour that closes a triangle with bond k, or -1
+/// without one. searchTriangle does the same if some neighbour has left the domain.
+int searchTriangle(const Bonds& bonds, std::size_t solidIndex, double next);
+inline int triangleWith(const Bonds& b, std::size_t solidIndex, int k) {
+  const double next = b.z[b.at(solidIndex, k)];
   if (!(next > 0)) return -1;
   const int guess = static_cast<int>(next) - 1;
-  return guess < b.capacity && b.weight[b.at(slot, guess)] == next ? guess : searchTriangle(b, slot, next);
+  return guess < b.capacity && b.weight[b.at(solidIndex, guess)] == next
+             ? guess
+             : searchTriangle(b, solidIndex, next);
 }
 
-/// Returns the vector from a slot's vertex to the other end. Requires: current Solids::position at both.
-inline Vec3d edgeVector(const SheetEdges& e, std::size_t slot, int k) {
-  return e.ends.position[e.bonds.neighbour[e.bonds.at(slot, k)]] - e.ends.position[slot];
+/// Returns the vector from a vertex to the other end. Requires: current Solids::position at both.
+inline Vec3d edgeVector(const SheetEdges& e, std::size_t solidIndex, int k) {
+  return e.ends.position[e.bonds.neighbour[e.bonds.at(solidIndex, k)]] - e.ends.position[solidIndex];
 }
 
 /// Copies positions of vertices to the ends of edges, remote ones too. Collective.
 void updateEdgeEnds(SheetBodies& sheets, BondHalo& edges);
 
-/// Returns the area vector (m^2) of a slot's vertex, a third of its triangles'. For a closed sheet it is the
+/// Returns the area vector (m^2) of a vertex, a third of its triangles'. For a closed sheet it is the
 /// gradient of the volume.
-Vec3d areaNormalOf(const SheetEdges& e, std::size_t slot);
+Vec3d areaNormalOf(const SheetEdges& e, std::size_t solidIndex);
 
 /// Adds to Sheets::load and energy and to SheetBodies::slope; sets Sheets::areaNormal, and SheetPart::now
 /// where volume is stiff. Collective.

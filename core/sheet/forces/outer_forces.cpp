@@ -97,20 +97,20 @@ void addOuterForces(const SheetView& w, const SheetVelocities& now) {
   for (const Wall& wall : w.walls.list) walls = walls || wall.present;
   if (!walls && !s.outside.active) return;
   struct Pushes {
-    double wrap;
+    double shrinkWrap;
     const Wall* target;
-    std::vector<std::vector<BrushSample>> brush;
+    std::vector<std::vector<PressureSample>> brush;
   };
   std::vector<Pushes> pushes;
   for (std::size_t n = 0; n < w.scene.sheets.size(); n++) {
     const SheetBody& b = w.scene.sheets[n];
-    pushes.push_back({b.wrap * sheets.factors[n].now[placeOf(SheetFactor::Wrap)],
-                      b.wrapTo.empty() ? nullptr : wallNamed(w.walls, b.wrapTo),
+    pushes.push_back({b.shrinkWrap * sheets.factors[n].now[placeOf(SheetFactor::ShrinkWrap)],
+                      b.shrinkWrapTo.empty() ? nullptr : wallNamed(w.walls, b.shrinkWrapTo),
                       {}});
-    // addShrinkWrap handles bodies; a removed target exerts no wrap
-    if (!b.wrapTo.empty() && !pushes.back().target) pushes.back().wrap = 0;
-    for (const SheetBrush& brush : b.brushes)
-      pushes.back().brush.push_back(brushSamples(brush, time, now.dt));
+    // addShrinkWrap handles bodies; a removed target exerts no shrink-wrap
+    if (!b.shrinkWrapTo.empty() && !pushes.back().target) pushes.back().shrinkWrap = 0;
+    for (const PressureBrush& brush : b.pressureBrushes)
+      pushes.back().brush.push_back(pressureSamples(brush, time, now.dt));
   }
   std::vector<Vec3d>& impulse = sheets.impulseBuffer;
   impulse.resize(s.owned);
@@ -119,23 +119,23 @@ void addOuterForces(const SheetView& w, const SheetVelocities& now) {
     const Pushes& p = pushes[s.body[i]];
     Vec3d out{};
     const auto& factor = sheets.laws[s.law[i]].factor;
-    const double wrap = p.wrap * factor[placeOf(SheetFactor::Wrap)];
+    const double pressure = p.shrinkWrap * factor[placeOf(SheetFactor::ShrinkWrap)];
     if (const double density = b.windDensity * factor[placeOf(SheetFactor::Wind)] *
                                sheets.factors[s.body[i]].now[placeOf(SheetFactor::Wind)];
         density > 0) {
       out += windLoad(b, density, now.velocity[i], s.areaNormal[i], s.area[i]);
     }
-    if (wrap != 0) {
+    if (pressure != 0) {
       if (p.target) {
         Vec3d n;
         p.target->shape->distance(toRest(p.target->pose, s.position[i]), &n);
-        out -= wrap * directionFromRest(p.target->pose, n);
+        out -= pressure * directionFromRest(p.target->pose, n);
       } else {
-        out -= (wrap / s.area[i]) * s.areaNormal[i];
+        out -= (pressure / s.area[i]) * s.areaNormal[i];
       }
     }
     for (std::size_t k = 0; k < p.brush.size(); k++)
-      if (!p.brush[k].empty()) out += brushPressure(b.brushes[k], p.brush[k], s.position[i]);
+      if (!p.brush[k].empty()) out += brushPressure(b.pressureBrushes[k], p.brush[k], s.position[i]);
     impulse[i] = out * s.area[i];
     if (s.outside.active) s.outside[i] = out;
     s.load[i] += out;

@@ -26,7 +26,7 @@ double fastestRate(const SheetBody& body, const SpringLaw& law, double from);
 
 /// Index range of Sheets::changing.
 inline constexpr std::size_t firstEnergyFactor = placeOf(SheetFactor::Warp),
-                             lastEnergyFactor = placeOf(SheetFactor::Pull);
+                             lastEnergyFactor = placeOf(SheetFactor::Attraction);
 inline double& factorEnergyOf(Sheets& s, std::size_t i, SheetFactor f) {
   const std::size_t k = placeOf(f) - firstEnergyFactor;
   return s.changing[i].row[k / 3][static_cast<int>(k % 3)];

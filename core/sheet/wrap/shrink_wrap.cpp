@@ -130,7 +130,7 @@ void wrapSheet(const SheetView& w, Halos halos, const SheetVelocities& now, std:
   Sheets& s = b.rows;
   const SheetBody& body = w.scene.sheets[n];
   const FactorsNow& factors = b.factors[n];
-  const std::size_t f = placeOf(SheetFactor::Wrap);
+  const std::size_t f = placeOf(SheetFactor::ShrinkWrap);
   if (factors.now[f] == 0 && factors.most[f] == 0) return;
   const WrapBody wrapped{w, b.plans[n].wrapTarget};
   const double cell = std::max({w.grid.edge.x, w.grid.edge.y, w.grid.edge.z});
@@ -148,14 +148,14 @@ void wrapSheet(const SheetView& w, Halos halos, const SheetVelocities& now, std:
   for (const double a : b.plans[n].topology.area) area += a;
   // the sum of all terms fits into 62 bits
   const double unit = std::ldexp(
-      std::exp2(
-          std::ceil(std::log2(area * std::abs(body.wrap) * largestFactor(body, SheetFactor::Wrap) / blunt))),
+      std::exp2(std::ceil(std::log2(area * std::abs(body.shrinkWrap) *
+                                    largestFactor(body, SheetFactor::ShrinkWrap) / blunt))),
       -61);
   std::vector<std::int64_t> pulls(3 * parts.size(), 0);
   Wrap wrap{w, n, parts, tree, unit, 2 * cell, pulls};
   for (std::size_t i = 0; i < s.owned; i++) {
     if (s.body[i] != n) continue;
-    const double pressure = body.wrap * b.laws[s.law[i]].factor[f];
+    const double pressure = body.shrinkWrap * b.laws[s.law[i]].factor[f];
     b.slope[i] += 2 / blunt * std::abs(pressure) * factors.most[f] / cell;  // the direction turns within a
                                                                             // cell
     if (pressure * factors.now[f] == 0) continue;

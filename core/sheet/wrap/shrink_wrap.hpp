@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shrink-wrap of sheets around a body (SheetBody::wrapTo): continuum, oriented particles, another sheet.
-// Forces on both are equal and opposite.
+// Shrink-wrap of sheets around a body (SheetBody::shrinkWrapTo): continuum, oriented particles, another
+// sheet. Forces on both are equal and opposite.
 #pragma once
 #include "core/halo/halos.hpp"
 #include "core/sheet/forces/outer_forces.hpp"

@@ -29,7 +29,7 @@ TypeActions sheetActions() {
   a.beforeRemoval = [](World& w, std::span<const std::uint32_t> rows, double dt) {
     finaliseRemoved(sheetView(w), rows, dt);
   };
-  a.afterRemoval = [](World& w, bool removed) { clearSlotsAtStart(w.sheets, removed); };
+  a.afterRemoval = [](World& w, bool removed) { clearSolidsAtStart(w.sheets, removed); };
   a.migrateMore = [](World& w, Halos& halos, const Migration& m) {
     halos.edges->migrate(vertexRows(w.sheets.rows), w.sheets.edges.ends, w.sheets.edges.bonds, m);
   };

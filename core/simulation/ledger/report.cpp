@@ -41,8 +41,8 @@ void addRow(const World& w, std::size_t i, ExactBalance& b) {
   b.potential.add(-m * dot(w.scene.domain.gravity, x));
   if (p.interaction.active) b.potential.add(p.interaction[i]);
   if (p.enthalpy.active) b.internal.add(m * p.enthalpy[i]);
-  if (p.slot.active && p.slot[i] != noSlot && w.solids.energy.active)
-    b.elastic.add(w.solids.energy[p.slot[i]]);
+  if (p.solidIndex.active && p.solidIndex[i] != noSolid && w.solids.energy.active)
+    b.elastic.add(w.solids.energy[p.solidIndex[i]]);
 }
 
 /// Exact sums, packed for one reduction.
@@ -247,7 +247,7 @@ LedgerReport unpackReport(const World& w, const LedgerSums& from) {
 }
 
 /// Sets the changes that no entry explains, and the energies that they are compared with.
-void findResiduals(const MonitorState& watch, LedgerReport& r) {
+void findResiduals(const MonitorState& monitor, LedgerReport& r) {
   r.massResidual = r.now.mass - (r.initial.mass + r.entered.mass - r.left.mass);
   r.momentumResidual = r.now.momentum + r.impulseInFlight -
                        (r.initial.momentum + r.entered.momentum - r.left.momentum + r.wallImpulse +
@@ -258,7 +258,7 @@ void findResiduals(const MonitorState& watch, LedgerReport& r) {
   r.energyScale = std::max({std::abs(r.now.kinetic), std::abs(r.initial.kinetic), std::abs(r.dissipated),
                             std::abs(r.now.potential - r.initial.potential), std::abs(r.now.elastic),
                             std::abs(r.wallWork), r.entered.kinetic, r.left.kinetic});
-  r.energyLargest = std::max(r.energyScale, watch.largest);
+  r.energyLargest = std::max(r.energyScale, monitor.largest);
   r.heatResidual = r.now.internal - (r.initial.internal + r.entered.internal - r.left.internal + r.heatIn);
 }
 
@@ -267,7 +267,7 @@ void findResiduals(const MonitorState& watch, LedgerReport& r) {
 LedgerReport reportLedger(World& w, const StepTools& t, Reducer& all) {
   findStoredEnergy(w, t);
   LedgerReport r = unpackReport(w, sumOverRanks(w, packLedger(w), all));
-  findResiduals(w.watch, r);
+  findResiduals(w.monitor, r);
   r.heatScale = heatScaleOf(w.scene, w.modules, r);
   r.energyRounding = roundingOf(w.scene, w.modules, w.sheets, t.liquids, r);
   return r;

@@ -28,8 +28,8 @@ struct NamedReal {
   const char* name;
   double* value;
 };
-std::vector<NamedReal> realsOf(MonitorState& watch);
-std::vector<NamedCount> countsOf(MonitorState& watch);
+std::vector<NamedReal> realsOf(MonitorState& monitor);
+std::vector<NamedCount> countsOf(MonitorState& monitor);
 
 struct NamedValue {
   const char* name;

@@ -86,8 +86,8 @@ double longestWithSlowForces(const StepContext& c, double elastic) {
     return std::all_of(limitsOfLiquid.begin(), limitsOfLiquid.end(),
                        [&](Limit l) { return !(limits[l] < never); });
   };
-  const bool dry = isNever(c.commonLimits) && !isNever(c.t.limits.fixed);
-  if (!c.w.modules.incompressible && (!c.w.modules.melting || dry)) return never;
+  const bool withoutLiquid = isNever(c.commonLimits) && !isNever(c.t.limits.fixed);
+  if (!c.w.modules.incompressible && (!c.w.modules.melting || withoutLiquid)) return never;
   return std::max(1.0, stable / c.w.scene.numerics.cflElastic) * elastic;
 }
 
@@ -118,7 +118,7 @@ StepModule solidSubsteps() {
             }},
            {ModulePhase::NextStep, [](StepContext& c) {
               chooseSubsteps(c.w.modules, c.w.clock, c.w.ledger, c.t.walls.contacts,
-                             c.w.watch.factor * c.longestSubstep);
+                             c.w.monitor.factor * c.longestSubstep);
             }}}};
 }
 

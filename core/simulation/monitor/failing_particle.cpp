@@ -12,7 +12,7 @@ namespace {
 /// Returns the quantity that this failure compares. The particle with the largest value is reported.
 double failureMeasure(const World& w, Failure failure, Limit limitedBy, std::size_t i) {
   const Continuum& p = w.particles;
-  const bool solid = p.slot.active && p.slot[i] != noSlot && p.slot[i] < w.solids.owned;
+  const bool solid = p.solidIndex.active && p.solidIndex[i] != noSolid && p.solidIndex[i] < w.solids.owned;
   const double speed2 = dot(p.velocity[i], p.velocity[i]);
   const Vec3d x = p.position[i], f = forceOf(w.particles, w.scene, i);
   double g = speed2;
@@ -23,11 +23,11 @@ double failureMeasure(const World& w, Failure failure, Limit limitedBy, std::siz
   if (failure == Failure::Step && limitedBy == Limit::Elastic) {
     g = 0;
     for (int k = 0; solid && k < 3; k++)
-      g += dot(w.solids.deformation[p.slot[i]].row[k], w.solids.deformation[p.slot[i]].row[k]);
+      g += dot(w.solids.deformation[p.solidIndex[i]].row[k], w.solids.deformation[p.solidIndex[i]].row[k]);
   }
-  if (failure == Failure::Inverted) g = solid ? -determinant(w.solids.deformation[p.slot[i]]) : -never;
+  if (failure == Failure::Inverted) g = solid ? -determinant(w.solids.deformation[p.solidIndex[i]]) : -never;
   if (failure == Failure::Energy || failure == Failure::Growth)
-    g = 0.5 * speed2 + (solid && w.solids.energy.active ? w.solids.energy[p.slot[i]] / p.mass[i] : 0);
+    g = 0.5 * speed2 + (solid && w.solids.energy.active ? w.solids.energy[p.solidIndex[i]] / p.mass[i] : 0);
   return std::isnan(g) ? never : g;
 }
 

@@ -30,9 +30,9 @@ ForceTerms forceTerms(World& w, StepTools& t, std::size_t i) {
   const Counters counters = w.counters;
   Vec3d rest = forceOf(w.particles, w.scene, i);
   ForceTerms f;
-  if (p.slot.active && p.slot[i] != noSlot && p.slot[i] < w.solids.owned) {
-    f.elastic = length(w.solids.force[p.slot[i]]);
-    rest -= w.solids.force[p.slot[i]];
+  if (p.solidIndex.active && p.solidIndex[i] != noSolid && p.solidIndex[i] < w.solids.owned) {
+    f.elastic = length(w.solids.force[p.solidIndex[i]]);
+    rest -= w.solids.force[p.solidIndex[i]];
   }
   if (p.outsideForce.active) {
     f.outside = length(p.outsideForce[i]);

@@ -90,7 +90,7 @@ Failure failureOf(const World& w, const MonitorLimits& b, const StepLimits& limi
   const double perSpeed = limits[Limit::Speed];
   if (perSpeed < supportsPerStep * w.grid.support / b.speed) return Failure::Speed;
   if (relativeDensity > b.relativeDensity) return Failure::Density;
-  const double shortest = nextFactor(w.watch) * limits[limits.smallest()];
+  const double shortest = nextFactor(w.monitor) * limits[limits.smallest()];
   if (!(w.scene.numerics.fixedStep > 0) && shortest < b.step) return Failure::Step;
   return Failure::None;
 }
@@ -98,14 +98,14 @@ Failure failureOf(const World& w, const MonitorLimits& b, const StepLimits& limi
 Failure checkEnergyBudget(const World& w, const MonitorLimits& b, const LedgerReport& budget, Reducer& all) {
   const double expected = 0.5 * budget.now.mass * b.expected * b.expected;
   if (b.energy < never &&
-      !(budget.energyResidual - w.watch.residual <=
-        b.energy * std::max({w.watch.scale, std::abs(budget.wallWork), expected, budget.energyRounding})))
+      !(budget.energyResidual - w.monitor.residual <=
+        b.energy * std::max({w.monitor.scale, std::abs(budget.wallWork), expected, budget.energyRounding})))
     return Failure::Energy;
   // Slow growth is never half of anything between snapshots.
   const double largest = std::max(
-      {w.watch.largest, budget.energyScale, 0.01 * expected, budget.energyRounding});
+      {w.monitor.largest, budget.energyScale, 0.01 * expected, budget.energyRounding});
   if (b.energy < never && budget.energyResidual > b.energy * largest &&
-      budget.energyResidual > w.watch.residual)
+      budget.energyResidual > w.monitor.residual)
     return Failure::Growth;
   if (!w.modules.solid || !(b.inverted < never)) return Failure::None;
   std::int64_t counts[2] = {0, 0};
@@ -140,12 +140,12 @@ void acceptState(MonitorState& s, const Clock& clock, const LedgerReport& budget
   s.failures = s.halvings == 0 ? 0 : std::max(s.failures - 1, std::int64_t(0));
 }
 
-bool mayRetry(const Numerics& n, const MonitorState& watch, const Clock& clock, const MonitorLimits& b) {
-  return n.retryEvery > 0 && watch.failures < n.retries && !retryTooShort(watch, clock, b);
+bool mayRetry(const Numerics& n, const MonitorState& monitor, const Clock& clock, const MonitorLimits& b) {
+  return n.retryEvery > 0 && monitor.failures < n.retries && !retryTooShort(monitor, clock, b);
 }
 
-bool retryTooShort(const MonitorState& watch, const Clock& clock, const MonitorLimits& b) {
-  return std::ldexp(watch.fullStep, -static_cast<int>(moreHalvings(watch, clock))) < b.step;
+bool retryTooShort(const MonitorState& monitor, const Clock& clock, const MonitorLimits& b) {
+  return std::ldexp(monitor.fullStep, -static_cast<int>(moreHalvings(monitor, clock))) < b.step;
 }
 
 void halveStep(MonitorState& s, Clock& c, const Scene& scene, const MonitorState& failed, double failedAt) {

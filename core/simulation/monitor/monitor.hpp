@@ -39,23 +39,23 @@ Failure checkEnergyBudget(const World& world, const MonitorLimits& bounds, const
                           Reducer& all);
 
 /// Returns the factor of the next step, one step closer to 2^-halvings.
-double nextFactor(const MonitorState& watch);
+double nextFactor(const MonitorState& monitor);
 
 /// Accepts the state as a snapshot. After MonitorState::requiredSnapshots snapshots since the latest failure,
 /// and past the time MonitorState::passed, the step doubles and the number of counted failures decreases.
-void acceptState(MonitorState& watch, const Clock& clock, const LedgerReport& budget);
+void acceptState(MonitorState& monitor, const Clock& clock, const LedgerReport& budget);
 
 /// Returns true if a failed run may retry with half the step: not after Numerics::retries, and not with a
 /// step below MonitorLimits::step.
-bool mayRetry(const Numerics& numerics, const MonitorState& watch, const Clock& clock,
+bool mayRetry(const Numerics& numerics, const MonitorState& monitor, const Clock& clock,
               const MonitorLimits& bounds);
 /// Returns true if half the step is below MonitorLimits::step.
-bool retryTooShort(const MonitorState& watch, const Clock& clock, const MonitorLimits& bounds);
+bool retryTooShort(const MonitorState& monitor, const Clock& clock, const MonitorLimits& bounds);
 
 /// Halves the step after a rollback. failed: monitor state of the failed run; failedAt: its time (s). The
 /// step is counted from the time between frames if that is shorter. The failure counts as passed
 /// Numerics::retryEvery full steps after that time.
-void halveStep(MonitorState& watch, Clock& clock, const Scene& scene, const MonitorState& failed,
+void halveStep(MonitorState& monitor, Clock& clock, const Scene& scene, const MonitorState& failed,
                double failedAt);
 
 }  // namespace thaw

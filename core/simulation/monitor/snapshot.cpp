@@ -40,7 +40,7 @@ void copyLedger(const World& from, World& to) {
   to.clock = from.clock;
   to.ledger = from.ledger;
   to.counters = from.counters;
-  to.watch = from.watch;
+  to.monitor = from.monitor;
 }
 
 void copySurface(const Surface& from, Surface& to) {
@@ -66,9 +66,9 @@ void takeSnapshot(const World& w, WorldSnapshot& good) {
   kept.particles.declareLike(w.particles);
   packState(w.particles, good.particles);
   setRows(kept.particles, w.particles.owned, 0);
-  if (w.particles.slot.active) {
-    kept.particles.activate(kept.particles.slot);
-    std::copy_n(w.particles.slot.data(), w.particles.owned, kept.particles.slot.data());
+  if (w.particles.solidIndex.active) {
+    kept.particles.activate(kept.particles.solidIndex);
+    std::copy_n(w.particles.solidIndex.data(), w.particles.owned, kept.particles.solidIndex.data());
   }
   // Remote rows are kept because bonds refer to them by id.
   copyState(w.solids, kept.solids, w.solids.owned, w.solids.ghosts);
@@ -102,16 +102,16 @@ std::vector<std::byte> restoreSnapshot(const WorldSnapshot& good, World& w) {
   const World& kept = good.world;
   Continuum& p = w.particles;
   unpackState(good.particles, p);
-  if (p.slot.active) std::fill_n(p.slot.data(), p.owned, noSlot);
+  if (p.solidIndex.active) std::fill_n(p.solidIndex.data(), p.owned, noSolid);
   copySurface(kept.surface, w.surface);
   copyOwned(kept.oriented.rows, w.oriented.rows);
   copyOwned(kept.sheets.rows, w.sheets.rows);
   copyLedRows(kept.pieces, w.pieces);
   copyLedger(kept, w);
   SolidRecords records;
-  for (std::size_t i = 0; kept.particles.slot.active && i < p.owned; i++)
-    if (kept.particles.slot[i] != noSlot)
-      appendRecord(kept.solids, kept.bonds, kept.particles.slot[i], records);
+  for (std::size_t i = 0; kept.particles.solidIndex.active && i < p.owned; i++)
+    if (kept.particles.solidIndex[i] != noSolid)
+      appendRecord(kept.solids, kept.bonds, kept.particles.solidIndex[i], records);
   return std::move(records.bytes);
 }
 

@@ -11,11 +11,11 @@
 namespace thaw {
 
 struct WorldSnapshot {
-  World world;  ///< only the parts that takeSnapshot fills; of particles just their number and slots
+  World world;  ///< only the parts that takeSnapshot fills; of particles just their number and solids
   PackedTable particles;  ///< State columns of particles: most of the memory for a fluid
 };
 
-/// Stores the State columns of particles (and their slots) and solids, bonds, surface, clock, ledger,
+/// Stores the State columns of particles (and their solids) and solids, bonds, surface, clock, ledger,
 /// counters and monitor state: enough for a checkpoint. Requires: a world between two steps. Memory is
 /// reused.
 void takeSnapshot(const World& world, WorldSnapshot& kept);

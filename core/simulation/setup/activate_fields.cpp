@@ -86,7 +86,7 @@ void activateFields(World& w, const TermWork& terms, ElasticWork& elastic) {
   turnOn(p, m.surface && m.solid, {&p.surfaceStartPosition});
   turnOn(p, m.surface && w.scene.surface.keepVolume > 0, {&p.surfaceVolumeRatio});
   turnOn(p, m.surface && anyInitialFill(w.scene), {&p.initialFill});
-  turnOn(p, m.solid, {&p.slot});
+  turnOn(p, m.solid, {&p.solidIndex});
   turnOn(p, m.substeps, {&p.fastAcceleration});
   turnOn(p, m.freezing, {&p.contactOffset});
   turnOn(p, m.elastic && anyFriction(w.walls), {&p.wallShear});

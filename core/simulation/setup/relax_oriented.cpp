@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/oriented/forces/anchors.hpp"
+#include "core/oriented/forces/constraints.hpp"
 #include "core/oriented/forces/oriented_forces.hpp"
 #include "core/oriented/population/adaptive_sampling.hpp"
 #include "core/oriented/population/follow_interpolant.hpp"

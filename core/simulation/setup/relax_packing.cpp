@@ -27,8 +27,8 @@ void kernelGradients(World& w, Halos& halos, StepTools& t) {
   if (p.ghosts > 0) p.resize(p.owned, 0);
   const Migration m = halos.cells.migrate(p, {p.nextCell.data(), p.owned});
   computeCellKeys(w.grid, p);
-  if (p.slot.active)
-    for (std::size_t i = 0; i < p.owned; i++) p.slot[i] = noSlot;
+  if (p.solidIndex.active)
+    for (std::size_t i = 0; i < p.owned; i++) p.solidIndex[i] = noSolid;
   sortByCell(p, m, t.redistribution.sort, w.cells);
   sendGhosts(halos.cells, p, w.cells, ghostColumns(w.modules, p)).wait();
   clearRates(w.particles);

@@ -78,10 +78,10 @@ void fillRows(World& w, std::size_t b, const BodyLattice& lattice, std::span<con
     const double T = body.temperature + dot(body.temperatureGradient, x - centre);
     if (p.temperature.active) p.temperature[i] = T;
     if (p.enthalpy.active) p.enthalpy[i] = ledgerEnthalpy(w.scene.numerics.heat, m, T);
-    if (p.slot.active) p.slot[i] = noSlot;
+    if (p.solidIndex.active) p.solidIndex[i] = noSolid;
     for (std::size_t k = 0; k < clamps.size(); k++)
       if (inClamp(*clamps[k], x)) {
-        p.clamped[i] = held;
+        p.clamped[i] = fixedInPlace;
         p.velocity[i] = {};
         inEach[k]++;
       }
@@ -189,7 +189,7 @@ void reduceCounts(const Scene& scene, Continuum& p, Sampling& found, Reducer& al
   all.sum(c.filled);
   if (p.initialFill.active) normaliseInitialFill(scene, p, c.filled, c.particles);
   if (p.clamped.active)
-    for (std::size_t i = 0; i < p.owned; i++) c.clamped[p.body[i]] += p.clamped[i] == held;
+    for (std::size_t i = 0; i < p.owned; i++) c.clamped[p.body[i]] += p.clamped[i] == fixedInPlace;
   all.sum(c.clamped);
   double first[2] = {o.firstObstacle, o.firstItself};
   all.maximum(first);

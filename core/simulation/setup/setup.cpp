@@ -47,7 +47,7 @@
 #include "core/simulation/sums/stored_energy.hpp"
 #include "core/simulation/time/limits.hpp"
 #include "core/simulation/views/views.hpp"
-#include "core/solid/elasticity/active_slots.hpp"
+#include "core/solid/elasticity/active_solids.hpp"
 #include "core/terms/extensions.hpp"
 #include "core/terms/find_modules.hpp"
 #include "core/time/frame_times.hpp"
@@ -264,11 +264,11 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   moveWalls(w.walls, w.clock.time);
   t.sources.shapes = {};
   t.sleep = {};
-  forgetActiveSlots(t.solid.elastic);
+  forgetActiveSolids(t.solid.elastic);
   w.solids.energyKnown = w.compressionKnown = true;  // part of the state
-  if (p.slot.active) {
-    for (std::size_t i = 0; i < p.owned; i++) p.slot[i] = noSlot;
-    rebuildSolidBonds(w, halos, t, {{}, true});  // slots of the records, on the rank that read them
+  if (p.solidIndex.active) {
+    for (std::size_t i = 0; i < p.owned; i++) p.solidIndex[i] = noSolid;
+    rebuildSolidBonds(w, halos, t, {{}, true});  // solids of the records, on the rank that read them
   }
   computeCellKeys(w.grid, p);
   Migration all;
@@ -302,15 +302,15 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   t.phaseChange.here = true;
   // A resumed scene with a shorter step limit applies it to the first step too; for the same scene no bit
   // changes.
-  const double fixed = w.scene.numerics.fixedStep, factor = w.watch.factor;
+  const double fixed = w.scene.numerics.fixedStep, factor = w.monitor.factor;
   StepLimits limits = t.limits.fixed;
   if (w.modules.substeps)
     limits[Limit::Elastic] = w.modules.mostSubsteps *
                              std::min(limits[Limit::Elastic], t.limits.longestContact);
   if (mayBeDry(w.scene, w.modules)) {
-    double wet = isDry(p) ? 0 : 1;
-    halos.all.maximum({&wet, 1});
-    if (wet == 0)
+    double hasLiquid = isDry(p) ? 0 : 1;
+    halos.all.maximum({&hasLiquid, 1});
+    if (hasLiquid == 0)
       for (const Limit l : limitsOfLiquid) limits[l] = never;
   }
   // The step of rigid parts may be longer, and obeys these limits from the next step on.

@@ -131,7 +131,7 @@ void assignStartFields(World& w, const Shapes& shapes, Reducer& all, bool relaxe
     const Body& body = s.bodies[b];
     const Vec3d x = placeInBody(w.grid, lattices[b], numberOf(p.id[i]), p.position[i]);
     look(body, x, numberOf(p.id[i]), bad[b]);
-    if (!p.clamped.active || p.clamped[i] != held) p.velocity[i] = startVelocity(body, centres[b], x);
+    if (!p.clamped.active || p.clamped[i] != fixedInPlace) p.velocity[i] = startVelocity(body, centres[b], x);
     const double T = startTemperature(body, centres[b], x);
     if (p.temperature.active) p.temperature[i] = T;
     if (p.enthalpy.active) p.enthalpy[i] = ledgerEnthalpy(s.numerics.heat, s.materials[p.material[i]], T);

@@ -8,9 +8,9 @@
 #include "core/contact/solid_contact.hpp"
 #include "core/halo/bonded_rows.hpp"
 #include "core/solid/bonds/bond_forming.hpp"
-#include "core/solid/elasticity/active_slots.hpp"
+#include "core/solid/elasticity/active_solids.hpp"
 #include "core/solid/elasticity/rereference.hpp"
-#include "core/solid/elasticity/slot_state.hpp"
+#include "core/solid/elasticity/solid_state.hpp"
 #include "core/solid/fracture.hpp"
 #include "core/solid/melting.hpp"
 
@@ -21,14 +21,14 @@ ElasticStep elasticStep(const ElasticWork& elastic, double dt) {
   return {dt, elastic.energyInSteps, elastic.deformationInSteps};
 }
 
-/// Chooses the slots whose energy may change, if bonds or slots changed on this rank.
+/// Chooses the solids whose energy may change, if bonds or solids changed on this rank.
 void chooseActive(const Continuum& p, Solids& solids, const Bonds& bonds, BondHalo& halo,
                   ElasticWork& elastic) {
-  SlotPieces pieces;
+  SolidPieces pieces;
   pieces.resize(solids.owned, solids.ghosts);
   for (std::size_t s = 0; s < solids.owned; s++) pieces.piece[s] = p.piece[solids.particle[s]];
   refresh(halo, solids, ColumnList{&pieces.piece}).wait();
-  if (!activeSlotsKnown(elastic, solids)) chooseActiveSlots(elastic, solids, bonds, pieces);
+  if (!activeSolidsKnown(elastic, solids)) chooseActiveSolids(elastic, solids, bonds, pieces);
 }
 
 void deformAll(World& w, Halos& halos, StepTools& t, const ElasticStep& step, Exchange ends) {
@@ -66,9 +66,9 @@ BondForming bondForming(const Scene& scene, const Modules& modules, const SolidW
 
 /// Updates data after a bond update that changed something on any rank.
 void updateBondData(World& w, BondHalo& halo, SolidWork& work, SleepWork& sleep) {
-  fillNewSlots(w.particles, w.solids, work.elastic, work.bondsAtStart);
-  if (w.modules.sleep) forgetChangedSlots(w.solids, sleep);
-  forgetActiveSlots(work.elastic);
+  fillNewSolids(w.particles, w.solids, work.elastic, work.bondsAtStart);
+  if (w.modules.sleep) forgetChangedSolids(w.solids, sleep);
+  forgetActiveSolids(work.elastic);
   refresh(halo, w.solids, remoteColumnsAfterRebuild(w.solids)).wait();
   w.counters.singularNeighbourhoods = refreshReference(work.elastic, w.solids, w.bonds, false);
 }
@@ -90,12 +90,12 @@ void recordEnergyJump(World& w, SolidWork& work, double sign) {
   if (sign > 0) {
     work.rebonded.clear();
     for (const BondRequest& q : work.requests) {
-      const std::uint32_t row = w.solids.particle[q.slot];  // requests of a particle are contiguous
+      const std::uint32_t row = w.solids.particle[q.solidIndex];  // requests of a particle are contiguous
       if (work.rebonded.empty() || work.rebonded.back() != row) work.rebonded.push_back(row);
     }
   }
   for (const std::uint32_t row : work.rebonded)
-    w.ledger.phaseJump.add(sign * slotEnergy(work.elastic, w.solids, w.bonds, w.particles.slot[row]));
+    w.ledger.phaseJump.add(sign * solidEnergy(work.elastic, w.solids, w.bonds, w.particles.solidIndex[row]));
 }
 
 /// Number of solid ghosts, an upper bound of remote rows at the start.
@@ -172,7 +172,7 @@ void makeBonds(World& w, Halos& halos, StepTools& t) {
 
 void rebuildSolidBonds(World& w, Halos halos, StepTools& t, const BondUpdate& work) {
   t.times.lap(StepPhase::Sort);
-  linkSlots(bondedRows(w.particles), w.solids);
+  linkSolids(bondedRows(w.particles), w.solids);
   if (halos.bonds.rebuildBonds(bondedRows(w.particles), w.solids, w.bonds, work) &&
       !fieldsDeferred(w.bonds, t.solid))
     updateBondData(w, halos.bonds, t.solid, t.sleep);
@@ -183,8 +183,8 @@ void findElasticEnergy(Solids& solids, const Bonds& bonds, const ElasticWork& el
   if (solids.energyKnown) return;
   const bool still = atReference(solids);
   for (std::size_t s = 0; s < solids.owned; s++) {
-    const auto [gradU, energy] = still ? slotStrainAtReference(elastic, solids, bonds, s)
-                                       : slotStrain(elastic, solids, bonds, s);
+    const auto [gradU, energy] = still ? solidStrainAtReference(elastic, solids, bonds, s)
+                                       : solidStrain(elastic, solids, bonds, s);
     solids.energy[s] = energy;
     if (!elastic.deformationInSteps) solids.deformation[s] = identity3<double>() + gradU;
   }
@@ -195,8 +195,8 @@ void findElasticEnergy(const Continuum& p, Solids& solids, const Bonds& bonds, c
                        std::span<const std::uint32_t> rows) {
   if (solids.energyKnown) return;
   for (const std::uint32_t i : rows)
-    if (const std::uint32_t slot = p.slot[i]; slot != noSlot)
-      solids.energy[slot] = slotEnergy(elastic, solids, bonds, slot);
+    if (const std::uint32_t solidIndex = p.solidIndex[i]; solidIndex != noSolid)
+      solids.energy[solidIndex] = solidEnergy(elastic, solids, bonds, solidIndex);
 }
 
 void melt(World& w, BondHalo& halo, ElasticWork& elastic, PhaseTimes& times) {

@@ -22,7 +22,7 @@ inline bool fieldsDeferred(const Bonds& bonds, const SolidWork& work) {
   return work.bondsAtStart && !bonds.vectors;
 }
 
-/// Copies positions (velocities, liquid fractions) to the slots and sends them along the bonds. Collective.
+/// Copies positions (velocities, liquid fractions) to the solids and sends them along the bonds. Collective.
 Exchange sendPositions(const Continuum& particles, Solids& solids, const Bonds& bonds, BondHalo& halo,
                        const SolidWork& work);
 
@@ -40,7 +40,7 @@ Exchange deform(World& world, Halos halos, StepTools& tools, double dt, SolidExc
 /// Adds elastic forces to the particles; waits for the stress of other ranks.
 void addElasticForces(World& world, ElasticWork& elastic, PhaseTimes& times, double dt, Exchange stress);
 
-/// Computes Solids::energy and Solids::deformation of all owned slots for the last evaluation, if steps do
+/// Computes Solids::energy and Solids::deformation of all owned solids for the last evaluation, if steps do
 /// not (core/simulation/sums/stored_energy.hpp).
 void findElasticEnergy(Solids& solids, const Bonds& bonds, const ElasticWork& elastic);
 /// As above for the particles in these rows, which are about to leave.

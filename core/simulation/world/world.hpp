@@ -39,7 +39,7 @@ struct World {
   Clock clock;
   Ledger ledger;
   Counters counters;
-  MonitorState watch;
+  MonitorState monitor;
   Surface surface;
   OrientedBodies oriented;
   SheetBodies sheets;

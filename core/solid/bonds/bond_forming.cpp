@@ -27,9 +27,10 @@ bool touches(const Continuum& p, const BondForming& f, std::size_t i, std::size_
   return dot(x, x) < reach * reach;
 }
 
-bool bonded(const Solids& solids, const Bonds& bonds, std::size_t slot, std::uint64_t id) {
+bool bonded(const Solids& solids, const Bonds& bonds, std::size_t solidIndex, std::uint64_t id) {
   for (int k = 0; k < bonds.capacity; k++) {
-    if (bonds.hasBond(slot, k) && solids.id[bonds.neighbour[bonds.at(slot, k)]] == id) return true;
+    if (bonds.hasBond(solidIndex, k) && solids.id[bonds.neighbour[bonds.at(solidIndex, k)]] == id)
+      return true;
   }
   return false;
 }
@@ -40,8 +41,8 @@ void prepareBondForming(Continuum& particles, const Solids& solids) {
   for (std::size_t i = 0; i < particles.owned; i++) {
     if (particles.unwrappedPosition.active) particles.unwrappedPosition[i] = particles.position[i];
     if (!particles.frame.active) continue;
-    const bool old = particles.slot[i] != noSlot && !particles.justFrozen[i];
-    particles.frame[i] = old ? solids.deformation[particles.slot[i]] : identity3<double>();
+    const bool old = particles.solidIndex[i] != noSolid && !particles.justFrozen[i];
+    particles.frame[i] = old ? solids.deformation[particles.solidIndex[i]] : identity3<double>();
   }
 }
 
@@ -64,13 +65,14 @@ bool touchesToWeld(const Continuum& p, const Solids& solids, const Bonds& bonds,
   for (std::size_t g = 0; g < lists.groups; g++)
     for (std::size_t l = 0; l < lanes; l++) {
       const std::size_t i = lists.self[g * lanes + l];
-      if (i >= p.owned || p.phase[i] != Solid || p.slot[i] == noSlot || !(*f.materials)[p.material[i]].weld)
+      if (i >= p.owned || p.phase[i] != Solid || p.solidIndex[i] == noSolid ||
+          !(*f.materials)[p.material[i]].weld)
         continue;
       for (std::uint32_t n = 0; n < lists.count[g]; n++) {
         const std::size_t j = lists.row(g, n, l);
         if (j == lists.dummy || p.phase[j] != Solid || p.id[j] == p.id[i] || !mayWeld(p, f, i, j)) continue;
         const Vec3d x = p.position[j] - p.position[i];
-        if (touches(p, f, i, j, x) && !bonded(solids, bonds, p.slot[i], p.id[j])) return true;
+        if (touches(p, f, i, j, x) && !bonded(solids, bonds, p.solidIndex[i], p.id[j])) return true;
       }
     }
   return false;
@@ -86,7 +88,7 @@ std::int64_t formBonds(const Continuum& p, const Solids& solids, const Bonds& bo
   for (std::size_t g = range.first; g < std::min(range.last, lists.groups); g++)
     for (std::size_t l = 0; l < lanes; l++) {
       const std::size_t i = lists.self[g * lanes + l];
-      if (i >= p.owned || p.phase[i] != Solid || p.slot[i] == noSlot) continue;
+      if (i >= p.owned || p.phase[i] != Solid || p.solidIndex[i] == noSolid) continue;
       for (std::uint32_t n = 0; n < lists.count[g]; n++) {
         const std::size_t j = lists.row(g, n, l);
         if (j == lists.dummy || p.phase[j] != Solid || p.id[j] == p.id[i] || !wanted(p, forming, i, j))
@@ -95,10 +97,10 @@ std::int64_t formBonds(const Continuum& p, const Solids& solids, const Bonds& bo
         const double weight = bondWeight(x, forming.support);
         const bool old = frames && !p.justFrozen[i] && !p.justFrozen[j];
         if (!(weight > 0) || (old && !touches(p, forming, i, j, x))) continue;
-        if (old && bonded(solids, bonds, p.slot[i], p.id[j])) continue;
-        requests.push_back({p.slot[i], p.id[j], frames ? referenceIn(p.frame[i], x) : x,
+        if (old && bonded(solids, bonds, p.solidIndex[i], p.id[j])) continue;
+        requests.push_back({p.solidIndex[i], p.id[j], frames ? referenceIn(p.frame[i], x) : x,
                             frames ? referenceIn(p.frame[j], -x) : -x, weight,
-                            j < p.owned ? p.slot[j] : noSlot});
+                            j < p.owned ? p.solidIndex[j] : noSolid});
         welds += p.body[i] != p.body[j] && p.id[i] < p.id[j];
       }
     }
@@ -112,15 +114,15 @@ void pairAtStart(const Continuum& p, const NeighbourLists& lists, const BondForm
   for (std::size_t g = range.first; g < std::min(range.last, lists.groups); g++)
     for (std::size_t l = 0; l < lanes; l++) {
       const std::size_t i = lists.self[g * lanes + l];
-      if (i >= p.owned || p.phase[i] != Solid || p.slot[i] == noSlot) continue;
+      if (i >= p.owned || p.phase[i] != Solid || p.solidIndex[i] == noSolid) continue;
       const Vec3d at = place[i];
       const std::uint64_t id = p.id[i];
-      const std::uint32_t slot = p.slot[i], body = p.body[i];
+      const std::uint32_t solidIndex = p.solidIndex[i], body = p.body[i];
       for (std::size_t n = 0; n < lists.count[g]; n++) {
         const std::size_t j = lists.row(g, n, l);
         if (j == lists.dummy || p.phase[j] != Solid || p.body[j] != body || p.id[j] == id) continue;
         if (bondWeight(minimumImage(place[j] - at, forming.periods), forming.support) > 0)
-          pairs.push_back({p.id[j], slot, j < p.owned ? p.slot[j] : noSlot});
+          pairs.push_back({p.id[j], solidIndex, j < p.owned ? p.solidIndex[j] : noSolid});
       }
     }
 }

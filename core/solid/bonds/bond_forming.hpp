@@ -29,11 +29,11 @@ struct BondForming {
   const std::vector<Material>* materials = nullptr;
 };
 
-/// Sets the particle fields that bonds need. They are particle fields because slots are renumbered.
+/// Sets the particle fields that bonds need. They are particle fields because solids are renumbered.
 /// Continuum::frame is set where active, Continuum::unwrappedPosition with periodic sides. The frame is F of
-/// the slot at the last phase 1, or the identity if the particle just froze or has no slot yet. The order
-/// after freezing: set justFrozen and phase, prepareBondForming, rebuildBonds (makes the slots), refresh
-/// bondFormingColumns on ghosts, formBonds, rebuildBonds with the requests, refreshReference.
+/// the solid at the last phase 1, or the identity if the particle just froze or has no row in Solids yet. The
+/// order after freezing: set justFrozen and phase, prepareBondForming, rebuildBonds (makes the solids),
+/// refresh bondFormingColumns on ghosts, formBonds, rebuildBonds with the requests, refreshReference.
 void prepareBondForming(Continuum& particles, const Solids& solids);
 /// Columns of ghosts that formBonds reads besides position.
 ColumnList bondFormingColumns(Continuum& particles);
@@ -53,7 +53,7 @@ struct ListedGroups {
   std::size_t first = 0, last = SIZE_MAX;
 };
 
-/// Appends requests for bonds of owned particles with a slot to solid neighbours (owned or ghosts), in the
+/// Appends requests for bonds of owned solid particles to solid neighbours (owned or ghosts), in the
 /// order of the neighbour lists. Both ends request the same bond with the same bits. Bonded pairs are
 /// skipped. Returns the number of welds: bonds between different bodies, counted at the end with the smaller
 /// id.

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "core/solid/bonds/bond_entries.hpp"
-#include "core/solid/bonds/slot_rows.hpp"
+#include "core/solid/bonds/solid_rows.hpp"
 
 namespace thaw {
 
@@ -60,23 +60,23 @@ void BondGraph::dropBroken(const SolidTables& t) {
     if (references_[r] == 0) unnamed_.push_back(static_cast<std::uint32_t>(r));
 }
 
-void BondGraph::leave(const Bonds& b, std::uint32_t slot) {
-  if (slot >= owned_)
+void BondGraph::leave(const Bonds& b, std::uint32_t solidIndex) {
+  if (solidIndex >= owned_)
     throw std::logic_error("rows were added to the table of solids outside of a rebuild of bonds");
-  for (int k = 0; k < used_[slot]; k++) {
-    const std::uint32_t n = b.neighbour[b.at(slot, k)];
+  for (int k = 0; k < used_[solidIndex]; k++) {
+    const std::uint32_t n = b.neighbour[b.at(solidIndex, k)];
     if (--references_[n] == 0 && n >= owned_) unnamed_.push_back(n);
   }
-  forget(slot);
-  leaving_.push_back(slot);
+  forget(solidIndex);
+  leaving_.push_back(solidIndex);
 }
 
-void BondGraph::depart(const Bonds& b, std::uint32_t slot) {
-  leave(b, slot);
-  departed_.push_back(slot);
+void BondGraph::depart(const Bonds& b, std::uint32_t solidIndex) {
+  leave(b, solidIndex);
+  departed_.push_back(solidIndex);
 }
 
-void BondGraph::remove(const Bonds& b, std::uint32_t slot) { leave(b, slot); }
+void BondGraph::remove(const Bonds& b, std::uint32_t solidIndex) { leave(b, solidIndex); }
 
 std::uint32_t BondGraph::addRow(std::uint64_t id, int owner) {
   const auto row = static_cast<std::uint32_t>(ids_.size());
@@ -94,14 +94,14 @@ std::uint32_t BondGraph::addRemote(std::uint64_t id, int owner) {
   return row;
 }
 
-void BondGraph::markOthers(const Bonds& b, std::uint32_t slot) {
-  for (int k = 0; k < used_[slot]; k++) {
-    const std::uint32_t n = b.neighbour[b.at(slot, k)];
+void BondGraph::markOthers(const Bonds& b, std::uint32_t solidIndex) {
+  for (int k = 0; k < used_[solidIndex]; k++) {
+    const std::uint32_t n = b.neighbour[b.at(solidIndex, k)];
     if (n < owned_ && now_[n] != noRow) mark(now_[n] / lanes);
   }
 }
 
-void BondGraph::place(const SolidTables& t, std::span<const NewSlot> fresh, std::size_t remotesToCome) {
+void BondGraph::place(const SolidTables& t, std::span<const NewSolid> fresh, std::size_t remotesToCome) {
   Bonds& b = t.bonds;
   if (t.solids.owned != owned_ || t.solids.size() != before_)
     throw std::logic_error(
@@ -110,7 +110,7 @@ void BondGraph::place(const SolidTables& t, std::span<const NewSlot> fresh, std:
   fresh_.assign(fresh.begin(), fresh.end());
   newOwned_ = owned_ - leaving_.size() + fresh.size();
   const std::size_t refilled = std::min(leaving_.size(), fresh.size());
-  // The last remaining slots fill the holes that new slots leave.
+  // The last remaining solids fill the holes that new solids leave.
   std::size_t hole = refilled;
   for (std::size_t s = newOwned_; s < owned_; s++)
     if (now_[s] != noRow) {
@@ -133,7 +133,7 @@ void BondGraph::place(const SolidTables& t, std::span<const NewSlot> fresh, std:
     clearEntries(b, to, used_[s], b.capacity);
     used_[to] = used_[s];
     t.solids.changed[to] = 1;
-    t.particles.slot[t.solids.particle[to]] = to;
+    t.particles.solidIndex[t.solids.particle[to]] = to;
   }
   for (std::size_t s = newOwned_; s < owned_; s++) {
     for (int k = 0; k < b.capacity; k++) clearBond(b, b.at(s, k), 0);
@@ -150,28 +150,28 @@ void BondGraph::place(const SolidTables& t, std::span<const NewSlot> fresh, std:
     now_.reserve(rows);
   }
   for (std::size_t i = 0; i < fresh.size(); i++) {
-    const std::size_t slot = i < refilled ? leaving_[i] : owned_ + (i - refilled);
+    const std::size_t solidIndex = i < refilled ? leaving_[i] : owned_ + (i - refilled);
     const std::uint64_t id = t.particles.id[fresh[i].particle];
     const std::uint32_t copy = rowOf_.find(id);
     const std::uint32_t row = addRow(id, rank_);
-    now_[row] = static_cast<std::uint32_t>(slot);
+    now_[row] = static_cast<std::uint32_t>(solidIndex);
     if (copy != noRow) {  // a remote row that is now owned
       aliases_.push_back({copy, row});
-      now_[copy] = static_cast<std::uint32_t>(slot);
+      now_[copy] = static_cast<std::uint32_t>(solidIndex);
       turned_[copy] = 1;
     }
-    clearEntries(b, slot, 0, b.capacity);
-    used_[slot] = 0;
-    mark(slot / lanes);
+    clearEntries(b, solidIndex, 0, b.capacity);
+    used_[solidIndex] = 0;
+    mark(solidIndex / lanes);
   }
 }
 
 template<class Asked> std::size_t BondGraph::mostWith(std::span<const Asked> asked) const {
   std::size_t most = 0, first = 0;
   for (std::size_t k = 1; k <= asked.size(); k++) {
-    const std::uint32_t slot = asked[first].slot;
-    if (k < asked.size() && asked[k].slot == slot) continue;
-    most = std::max(most, k - first + (slot < owned_ ? used_[slot] : 0));
+    const std::uint32_t solidIndex = asked[first].solidIndex;
+    if (k < asked.size() && asked[k].solidIndex == solidIndex) continue;
+    most = std::max(most, k - first + (solidIndex < owned_ ? used_[solidIndex] : 0));
     first = k;
   }
   return most;
@@ -182,15 +182,15 @@ std::size_t BondGraph::mostBonds(std::span<const BondPair> pairs) const { return
 void BondGraph::reserve(Bonds& b, int capacity) const {
   if (capacity <= b.capacity) return;
   const int before = b.capacity;
-  const std::size_t slots = std::max(owned_, newOwned_);
-  resizeBonds(b, slots, (capacity + 3) / 4 * 4);
+  const std::size_t solidIndices = std::max(owned_, newOwned_);
+  resizeBonds(b, solidIndices, (capacity + 3) / 4 * 4);
   for (std::size_t s = 0; s < newOwned_; s++) clearEntries(b, s, before, b.capacity);
 }
 
 void BondGraph::bond(const SolidTables& t, std::uint32_t from, const BondRecord& record, int owner,
                      std::uint32_t known) {
-  const std::uint32_t slot = now_[from];
-  if (slot == noRow) return;
+  const std::uint32_t solidIndex = now_[from];
+  if (solidIndex == noRow) return;
   std::uint32_t other = known < owned_ && now_[known] != noRow ? known : rowOf_.find(record.neighbourId);
   if (other == from) return;
   if (other == noRow) {
@@ -200,33 +200,34 @@ void BondGraph::bond(const SolidTables& t, std::uint32_t from, const BondRecord&
     }
     other = addRemote(record.neighbourId, owner);
   }
-  const int k = used_[slot];
+  const int k = used_[solidIndex];
   if (k == t.bonds.capacity) reserve(t.bonds, k + 4);
-  putBond(t.bonds, t.bonds.at(slot, k), other, record);
-  used_[slot] = static_cast<std::uint16_t>(k + 1);
+  putBond(t.bonds, t.bonds.at(solidIndex, k), other, record);
+  used_[solidIndex] = static_cast<std::uint16_t>(k + 1);
   references_[other]++;
-  if (from < owned_) t.solids.changed[slot] = 1;  // new slots are flagged when their columns are created
-  mark(slot / lanes);
+  if (from < owned_)
+    t.solids.changed[solidIndex] = 1;  // new solids are flagged when their columns are created
+  mark(solidIndex / lanes);
 }
 
-/// Appends bonds from pairs[first] on while they connect one remaining slot to known, remaining owned slots:
-/// most bonds of a start. Returns the index of the first other pair.
+/// Appends bonds from pairs[first] on while they connect one remaining solid to known, remaining owned
+/// solids: most bonds of a start. Returns the index of the first other pair.
 std::size_t BondGraph::bondOwned(const SolidTables& t, std::span<const BondPair> pairs, std::size_t first) {
-  const std::uint32_t from = pairs[first].slot, slot = now_[from];
-  if (slot == noRow || t.bonds.vectors) return first;
-  const std::size_t place = t.bonds.at(slot, 0), room = static_cast<std::size_t>(t.bonds.capacity);
+  const std::uint32_t from = pairs[first].solidIndex, solidIndex = now_[from];
+  if (solidIndex == noRow || t.bonds.vectors) return first;
+  const std::size_t place = t.bonds.at(solidIndex, 0), room = static_cast<std::size_t>(t.bonds.capacity);
   std::uint32_t* const ends = t.bonds.neighbour.data();
-  std::size_t i = first, used = used_[slot];
-  for (; i < pairs.size() && pairs[i].slot == from && used < room; i++, used++) {
+  std::size_t i = first, used = used_[solidIndex];
+  for (; i < pairs.size() && pairs[i].solidIndex == from && used < room; i++, used++) {
     const std::uint32_t other = pairs[i].other;
     if (other >= owned_ || other == from || now_[other] == noRow) break;
     ends[place + used * lanes] = other;
     references_[other]++;
   }
   if (i == first) return first;
-  used_[slot] = static_cast<std::uint16_t>(used);
-  if (from < owned_) t.solids.changed[slot] = 1;
-  mark(slot / lanes);
+  used_[solidIndex] = static_cast<std::uint16_t>(used);
+  if (from < owned_) t.solids.changed[solidIndex] = 1;
+  mark(solidIndex / lanes);
   return i;
 }
 
@@ -259,19 +260,19 @@ void BondGraph::placeRemotes() {
   for (const Alias& a : aliases_) now_[a.row] = now_[a.stands];
 }
 
-void findUnslotted(const BondedRows& p, Solids& s, std::vector<std::uint32_t>& unslotted) {
-  unslotted.clear();
-  if (s.owned == 0) unslotted.reserve(p.owned);  // at a start
+void findWithoutIndex(const BondedRows& p, Solids& s, std::vector<std::uint32_t>& withoutIndex) {
+  withoutIndex.clear();
+  if (s.owned == 0) withoutIndex.reserve(p.owned);  // at a start
   std::fill_n(s.particle.data(), s.owned, noParticle);
   for (std::size_t i = 0; i < p.owned; i++) {
-    const std::uint32_t slot = p.slot[i];
+    const std::uint32_t solidIndex = p.solidIndex[i];
     const bool unbonded = p.unbonded(i);
-    if (slot == noSlot) {
-      if (!unbonded) unslotted.push_back(static_cast<std::uint32_t>(i));
+    if (solidIndex == noSolid) {
+      if (!unbonded) withoutIndex.push_back(static_cast<std::uint32_t>(i));
     } else if (unbonded) {
-      p.slot[i] = noSlot;
+      p.solidIndex[i] = noSolid;
     } else {
-      s.particle[slot] = static_cast<std::uint32_t>(i);
+      s.particle[solidIndex] = static_cast<std::uint32_t>(i);
     }
   }
 }

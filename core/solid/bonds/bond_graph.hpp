@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// One rank's part of the bond graph: ids of slots, copies of other ranks' solid particles, and references
+// One rank's part of the bond graph: ids of solids, copies of other ranks' solid particles, and references
 // between rows. All changes go through an edit, whose cost is proportional to the change and not to the
-// table. New slots or the last slots fill the holes of removed ones, so few rows are renumbered. Only groups
-// of slots that can refer to these rows are visited. The reference count of each row shows when a remote row
-// is unused, and whether the visit has found every bond to change.
+// table. New solids or the last solids fill the holes of removed ones, so few rows are renumbered. Only
+// groups of solids that can refer to these rows are visited. The reference count of each row shows when a
+// remote row is unused, and whether the visit has found every bond to change.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -23,9 +23,9 @@ struct SolidTables {
   Bonds& bonds;
 };
 
-/// A slot to create for the owned particle in this row. `state` holds its packed State columns; nullptr: all
+/// A solid to create for the owned particle in this row. `state` holds its packed State columns; nullptr: all
 /// zero.
-struct NewSlot {
+struct NewSolid {
   std::uint32_t particle = 0;
   const std::byte* state = nullptr;
 };
@@ -50,40 +50,40 @@ class BondGraph {
   // Between edits.
   std::size_t owned() const { return owned_; }
   std::size_t rows() const { return ids_.size(); }
-  /// Returns the owned slot or remote row of a solid particle, else noRow. During an edit: its number as used
-  /// by `bond`.
+  /// Returns the owned solid or remote row of a solid particle, else noRow. During an edit: its number as
+  /// used by `bond`.
   std::uint32_t rowOf(std::uint64_t id) const { return rowOf_.find(id); }
   std::uint64_t idOf(std::uint32_t row) const { return ids_[row]; }
   int ownerOf(std::uint32_t row) const { return owner_[row]; }
   /// Sets the owner of a remote row, or the new owner of a departing owned row.
   void setOwner(std::uint32_t row, int rank) { owner_[row] = rank; }
 
-  // An edit, in this order. Rows keep their numbers from before the edit; new slots are rows() + their index
+  // An edit, in this order. Rows keep their numbers from before the edit; new solids are rows() + their index
   // in the list.
   void begin();
   /// Removes broken bonds; the order of the others stays.
   void dropBroken(const SolidTables& t);
-  /// Removes a slot whose particle moved to rank ownerOf(slot). Bonds to it stay, unless the owner is
+  /// Removes a solid whose particle moved to rank ownerOf(solid). Bonds to it stay, unless the owner is
   /// negative at finish: no longer solid.
-  void depart(const Bonds& bonds, std::uint32_t slot);
+  void depart(const Bonds& bonds, std::uint32_t solidIndex);
   /// Removes a particle that is no longer solid, on this rank or (removeRemote) on its owner, with all bonds
   /// to it.
-  void remove(const Bonds& bonds, std::uint32_t slot);
+  void remove(const Bonds& bonds, std::uint32_t solidIndex);
   void removeRemote(std::uint32_t row) { forget(row); }
-  bool leaves(std::uint32_t slot) const { return now_[slot] == noRow; }
-  /// Fills the holes and creates the new slots in the given order; BondedRows::slot is updated. Reserves
-  /// remotesToCome remote rows if that exceeds the present number.
-  void place(const SolidTables& t, std::span<const NewSlot> fresh, std::size_t remotesToCome = 0);
-  /// Returns the largest number of bonds per slot, requests included. Requests of a slot are contiguous.
+  bool leaves(std::uint32_t solidIndex) const { return now_[solidIndex] == noRow; }
+  /// Fills the holes and creates the new solids in the given order; BondedRows::solidIndex is updated.
+  /// Reserves remotesToCome remote rows if that exceeds the present number.
+  void place(const SolidTables& t, std::span<const NewSolid> fresh, std::size_t remotesToCome = 0);
+  /// Returns the largest number of bonds per solid, requests included. Requests of a solid are contiguous.
   std::size_t mostBonds(std::span<const BondRequest> requests) const;
   std::size_t mostBonds(std::span<const BondPair> pairs) const;
-  /// Reserves this many bonds per slot.
+  /// Reserves this many bonds per solid.
   void reserve(Bonds& bonds, int capacity) const;
-  /// Appends a bond to a slot. The other end is owned here, has a remote row, or gets one if owner is another
-  /// rank (>= 0). Otherwise no bond is made; nor is one to itself or of a departing slot. A new slot that
-  /// arrives with a bond to a vanished particle has lost that bond: Solids::exposed is set. known: owned
-  /// slot of the other end, if available.
-  void bond(const SolidTables& t, std::uint32_t slot, const BondRecord& record, int owner,
+  /// Appends a bond to a solid. The other end is owned here, has a remote row, or gets one if owner is
+  /// another rank (>= 0). Otherwise no bond is made; nor is one to itself or of a departing solid. A new
+  /// solid that arrives with a bond to a vanished particle has lost that bond: Solids::exposed is set. known:
+  /// owned solid of the other end, if available.
+  void bond(const SolidTables& t, std::uint32_t solidIndex, const BondRecord& record, int owner,
             std::uint32_t known = noRow);
   /// Appends many bonds without vectors. ownerOf(pair) is called for ends without a row here and for
   /// departing ends.
@@ -92,11 +92,12 @@ class BondGraph {
     for (std::size_t i = 0; i < pairs.size();) {
       i = bondOwned(t, pairs, i);
       if (i < pairs.size())
-        bond(t, pairs[i].slot, {pairs[i].neighbourId, {}, {}, 0}, ownerOf(pairs[i]), pairs[i].other), i++;
+        bond(t, pairs[i].solidIndex, {pairs[i].neighbourId, {}, {}, 0}, ownerOf(pairs[i]), pairs[i].other),
+            i++;
     }
   }
-  /// Renumbers. Ensures: the tables satisfy BondHalo::rebuildBonds. Solids::changed is set for slots with
-  /// changed bonds, for new or moved slots, and where the other end of a bond became remote or owned.
+  /// Renumbers. Ensures: the tables satisfy BondHalo::rebuildBonds. Solids::changed is set for solids with
+  /// changed bonds, for new or moved solids, and where the other end of a bond became remote or owned.
   void finish(const SolidTables& t);
 
   // After an edit.
@@ -119,9 +120,9 @@ class BondGraph {
   template<class Asked> std::size_t mostWith(std::span<const Asked> asked) const;
   std::size_t bondOwned(const SolidTables& t, std::span<const BondPair> pairs, std::size_t first);
   void forget(std::uint32_t row);
-  void leave(const Bonds& bonds, std::uint32_t slot);
+  void leave(const Bonds& bonds, std::uint32_t solidIndex);
   void mark(std::size_t group);
-  void markOthers(const Bonds& bonds, std::uint32_t slot);
+  void markOthers(const Bonds& bonds, std::uint32_t solidIndex);
   bool renumbers(std::size_t row) const { return now_[row] != row || (row < before_ && turned_[row]); }
   std::uint32_t addRemote(std::uint64_t id, int owner);
   std::uint32_t addRow(std::uint64_t id, int owner);
@@ -137,7 +138,7 @@ class BondGraph {
   std::vector<std::uint64_t> ids_;         // by row
   std::vector<int> owner_;                 // by row
   std::vector<std::uint32_t> references_;  // by row: number of local bonds that refer to it
-  std::vector<std::uint16_t> used_;     // by slot, padding lanes included: number of entries in use, broken
+  std::vector<std::uint16_t> used_;     // by solid, padding lanes included: number of entries in use, broken
                                         // bonds included
   std::vector<std::uint8_t> boundary_;  // by group: 1 if some bond refers to a remote row
   // State of the current edit.
@@ -145,11 +146,11 @@ class BondGraph {
   std::vector<std::uint32_t> now_;  // new number of each old row; remote rows made in the edit get theirs at
                                     // its end
   std::vector<std::uint32_t> leaving_, departed_, movers_, unnamed_, relocated_, newRemotes_;
-  std::vector<std::uint32_t> lostBonds_;  // new slots, in the numbering of `bond`, that arrived with a bond
+  std::vector<std::uint32_t> lostBonds_;  // new solids, in the numbering of `bond`, that arrived with a bond
                                           // to a particle that is no longer solid
   std::vector<Alias> aliases_;
   std::vector<Released> released_;
-  std::vector<NewSlot> fresh_;
+  std::vector<NewSolid> fresh_;
   std::vector<std::uint32_t> marked_;
   std::vector<std::uint8_t> isMarked_, touched_, isAlias_;
   std::vector<std::uint8_t> turned_;  // by old row: it changed between remote and owned, possibly with the
@@ -163,9 +164,9 @@ class BondGraph {
   std::vector<Renumbered> renumbered_;
 };
 
-/// Compares slots with particles after an edit. Sets Solids::particle of all slots that stay, lists rows of
-/// solid particles without a slot in `unslotted`, and sets BondedRows::slot of melted particles to noSlot.
-/// Requires: sorted particles without departed rows.
-void findUnslotted(const BondedRows& particles, Solids& solids, std::vector<std::uint32_t>& unslotted);
+/// Compares solids with particles after an edit. Sets Solids::particle of all solids that stay, lists rows of
+/// solid particles without a row in `withoutIndex`, and sets BondedRows::solidIndex of melted particles to
+/// noSolid. Requires: sorted particles without departed rows.
+void findWithoutIndex(const BondedRows& particles, Solids& solids, std::vector<std::uint32_t>& withoutIndex);
 
 }  // namespace thaw

@@ -7,7 +7,7 @@
 
 #include "core/solid/bonds/bond_entries.hpp"
 #include "core/solid/bonds/bond_graph.hpp"
-#include "core/solid/bonds/slot_rows.hpp"
+#include "core/solid/bonds/solid_rows.hpp"
 
 namespace thaw {
 
@@ -21,14 +21,14 @@ void BondGraph::moveColumns(const SolidTables& t) {
     s.particle[now_[r]] = noParticle;
   }
   for (std::size_t i = 0; i < fresh_.size(); i++) {
-    const std::uint32_t slot = now_[before_ + i], row = fresh_[i].particle;
-    clearRow(s, slot);
-    if (fresh_[i].state) s.unpackState(slot, fresh_[i].state);
-    s.id[slot] = t.particles.id[row];
-    s.material[slot] = t.particles.material[row];
-    s.particle[slot] = row;
-    s.changed[slot] = 1;
-    t.particles.slot[row] = slot;
+    const std::uint32_t solidIndex = now_[before_ + i], row = fresh_[i].particle;
+    clearRow(s, solidIndex);
+    if (fresh_[i].state) s.unpackState(solidIndex, fresh_[i].state);
+    s.id[solidIndex] = t.particles.id[row];
+    s.material[solidIndex] = t.particles.material[row];
+    s.particle[solidIndex] = row;
+    s.changed[solidIndex] = 1;
+    t.particles.solidIndex[row] = solidIndex;
   }
   for (const std::uint32_t r : lostBonds_) s.markExposed(now_[r]);
   s.owned = newOwned_;
@@ -161,7 +161,7 @@ void BondGraph::check(const SolidTables& t) const {
     if (rowOf_.find(ids_[r]) != r || t.solids.id[r] != ids_[r]) fail("id of a row");
     if ((owner_[r] == rank_) != (r < owned_)) fail("owner of a row");
     if (r >= owned_ && t.solids.particle[r] != noParticle) fail("particle of a remote row");
-    if (r < owned_ && t.particles.slot[t.solids.particle[r]] != r) fail("particle of a slot");
+    if (r < owned_ && t.particles.solidIndex[t.solids.particle[r]] != r) fail("particle of a solidIndex");
   }
   for (std::size_t s = 0; s < groups * lanes; s++)
     for (int k = 0; k < b.capacity; k++) {

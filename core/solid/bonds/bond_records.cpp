@@ -29,11 +29,11 @@ std::size_t appendHead(SolidRecords& records, std::uint64_t id, std::size_t stat
   return at + sizeof head;
 }
 
-void appendRecord(const Solids& s, const Bonds& b, std::uint32_t slot, SolidRecords& records) {
+void appendRecord(const Solids& s, const Bonds& b, std::uint32_t solidIndex, SolidRecords& records) {
   std::vector<BondRecord> list;
   for (int k = 0; k < b.capacity; k++) {
-    if (!b.hasBond(slot, k)) continue;
-    const std::size_t at = b.at(slot, k);
+    if (!b.hasBond(solidIndex, k)) continue;
+    const std::size_t at = b.at(solidIndex, k);
     BondRecord r{s.id[b.neighbour[at]], {}, {}, 0};
     if (b.vectors) {
       r = {r.neighbourId, {b.x[at], b.y[at], b.z[at]}, {-b.x[at], -b.y[at], -b.z[at]}, b.weight[at]};
@@ -41,8 +41,8 @@ void appendRecord(const Solids& s, const Bonds& b, std::uint32_t slot, SolidReco
     }
     list.push_back(r);
   }
-  const std::size_t state = appendHead(records, s.id[slot], s.stateBytes(), list, b.vectors);
-  s.packState(slot, records.bytes.data() + state);
+  const std::size_t state = appendHead(records, s.id[solidIndex], s.stateBytes(), list, b.vectors);
+  s.packState(solidIndex, records.bytes.data() + state);
 }
 
 std::size_t readRecord(const Solids& s, const std::vector<std::byte>& bytes, std::size_t at,
@@ -67,8 +67,8 @@ std::size_t readRecord(const Solids& s, const std::vector<std::byte>& bytes, std
   return at;
 }
 
-void resizeBonds(Bonds& b, std::size_t slots, int capacity) {
-  const std::size_t groups = (slots + lanes - 1) / lanes;
+void resizeBonds(Bonds& b, std::size_t solidIndices, int capacity) {
+  const std::size_t groups = (solidIndices + lanes - 1) / lanes;
   const std::size_t before = b.capacity > 0
                                  ? b.neighbour.size() / (static_cast<std::size_t>(b.capacity) * lanes)
                                  : 0;

@@ -23,8 +23,8 @@ struct SolidRecords {
   std::vector<std::byte> bytes;
 };
 
-/// Appends the record of a slot.
-void appendRecord(const Solids& solids, const Bonds& bonds, std::uint32_t slot, SolidRecords& records);
+/// Appends the record of a solid.
+void appendRecord(const Solids& solids, const Bonds& bonds, std::uint32_t solidIndex, SolidRecords& records);
 
 /// Appends a record without its State columns; returns the offset for them.
 std::size_t appendHead(SolidRecords& records, std::uint64_t id, std::size_t stateBytes,
@@ -40,7 +40,7 @@ struct SolidRecordView {
 std::size_t readRecord(const Solids& solids, const std::vector<std::byte>& bytes, std::size_t at,
                        SolidRecordView& view);
 
-/// Makes room for `slots` slots with `capacity` bonds each; new entries hold no bond.
-void resizeBonds(Bonds& bonds, std::size_t slots, int capacity);
+/// Makes room for `solids` solids with `capacity` bonds each; new entries hold no bond.
+void resizeBonds(Bonds& bonds, std::size_t solidIndices, int capacity);
 
 }  // namespace thaw

@@ -7,7 +7,7 @@ namespace thaw {
 
 void SerialBondHalo::migrate(const BondedRows& p, Solids&, Bonds&, const Migration& m) {
   if (!p.active) return;
-  for (std::size_t i = p.owned - m.arrivals; i < p.owned; i++) p.slot[i] = noSlot;
+  for (std::size_t i = p.owned - m.arrivals; i < p.owned; i++) p.solidIndex[i] = noSolid;
 }
 
 bool SerialBondHalo::rebuildBonds(const BondedRows& p, Solids& s, Bonds& b, const BondUpdate& work) {
@@ -16,9 +16,9 @@ bool SerialBondHalo::rebuildBonds(const BondedRows& p, Solids& s, Bonds& b, cons
   graph_.begin();
   if (b.broken) graph_.dropBroken(tables);
   b.broken = false;
-  findUnslotted(p, s, unslotted_);
-  for (std::uint32_t slot = 0; slot < s.owned; slot++)
-    if (s.particle[slot] == noParticle) graph_.remove(b, slot);
+  findWithoutIndex(p, s, withoutIndex_);
+  for (std::uint32_t solidIndex = 0; solidIndex < s.owned; solidIndex++)
+    if (s.particle[solidIndex] == noParticle) graph_.remove(b, solidIndex);
 
   std::vector<SolidRecordView> records;
   std::size_t most = 0;
@@ -29,9 +29,9 @@ bool SerialBondHalo::rebuildBonds(const BondedRows& p, Solids& s, Bonds& b, cons
     }
   std::sort(records.begin(), records.end(),
             [](const SolidRecordView& x, const SolidRecordView& y) { return x.id < y.id; });
-  std::vector<NewSlot> fresh;
+  std::vector<NewSolid> fresh;
   std::vector<const SolidRecordView*> recordOf;
-  for (const std::uint32_t row : unslotted_) {
+  for (const std::uint32_t row : withoutIndex_) {
     const auto r = std::lower_bound(records.begin(), records.end(), p.id[row],
                                     [](const SolidRecordView& x, std::uint64_t id) { return x.id < id; });
     recordOf.push_back(r != records.end() && r->id == p.id[row] ? &*r : nullptr);
@@ -43,7 +43,7 @@ bool SerialBondHalo::rebuildBonds(const BondedRows& p, Solids& s, Bonds& b, cons
   for (std::uint32_t i = 0; i < fresh.size(); i++)
     if (recordOf[i])
       for (const BondRecord& r : recordOf[i]->bonds) graph_.bond(tables, before + i, r, -1);
-  for (const BondRequest& q : work.requests) graph_.bond(tables, q.slot, bondOf(q), -1, q.other);
+  for (const BondRequest& q : work.requests) graph_.bond(tables, q.solidIndex, bondOf(q), -1, q.other);
   graph_.bond(tables, work.pairs, [](const BondPair&) { return -1; });
   graph_.finish(tables);
   records_.clear();

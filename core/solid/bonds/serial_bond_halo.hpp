@@ -17,15 +17,15 @@ class SerialBondHalo : public BondHalo {
   void begin(Solids&, std::span<AnyColumn* const>) override {}
   void finish(Solids&) override {}
 
-  /// Adds records (SolidRecords::bytes) of particles without a slot; the next bond update creates their
-  /// slots.
+  /// Adds records (SolidRecords::bytes) of particles without a row; the next bond update creates their
+  /// solids.
   void adopt(std::vector<std::byte> records) { records_.push_back(std::move(records)); }
   const BondGraph& graph() const { return graph_; }
 
  private:
   BondGraph graph_;
   std::vector<std::vector<std::byte>> records_;
-  std::vector<std::uint32_t> unslotted_;
+  std::vector<std::uint32_t> withoutIndex_;
 };
 
 }  // namespace thaw

@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "core/solid/elasticity/rereference.hpp"
-#include "core/solid/elasticity/slot_state.hpp"
+#include "core/solid/elasticity/solid_state.hpp"
 
 namespace thaw {
 
 void copyReferences(ElasticWork& work, const Solids& solids, Bonds& bonds,
-                    std::span<const std::uint32_t> groups, SlotRange flagged) {
+                    std::span<const std::uint32_t> groups, SolidRows flagged) {
   for (const std::uint32_t g : groups)
     for (std::size_t s = g * static_cast<std::size_t>(lanes), end = std::min(s + lanes, solids.owned);
          s < end; s++)

@@ -7,7 +7,7 @@
 #include "core/solid/elasticity/elastic_kernels.hpp"
 #include "core/solid/elasticity/elastic_records.hpp"
 #include "core/solid/elasticity/rereference.hpp"
-#include "core/solid/elasticity/slot_state.hpp"
+#include "core/solid/elasticity/solid_state.hpp"
 #include "core/solid/laws/lane_matrix.hpp"
 #include "core/solid/laws/plasticity.hpp"
 #include "core/solid/laws/response.hpp"
@@ -58,8 +58,9 @@ ElasticArrays arraysOf(ElasticWork& work, Solids& solids, const Bonds& bonds, co
     a.breakStretch2 = 0.9999 * work.minBreakStretch * work.minBreakStretch;
     a.stretched = work.stretched.data();
   }
-  if (work.sleeping && work.groupStretch2.empty()) a.passive = work.held.data();  // active_slots.hpp
-  else if (work.sleeping) a.held = work.held.data(), a.groupStretch2 = work.groupStretch2.data();
+  if (work.sleeping && work.groupStretch2.empty()) a.passive = work.plasticFixed.data();  // active_solids.hpp
+  else if (work.sleeping)
+    a.plasticFixed = work.plasticFixed.data(), a.groupStretch2 = work.groupStretch2.data();
   a.momentInverse = solids.momentInverse.data();
   a.rank = work.rank.data();
   a.perTrace = work.perTrace.data();
@@ -97,19 +98,19 @@ void listLaws(LaneConstants& c) {
 
 }  // namespace
 
-void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneConstants& out) {
+void loadLaneConstants(const ElasticArrays& a, std::size_t solid0, int n, LaneConstants& out) {
   const Solids& solids = *a.solids;
   // Most groups have a single material, that of the previous group.
   bool same = n == 8 && out.material >= 0;
   for (int l = 0; same && l < 8; l++) {
-    const std::size_t s = slot0 + static_cast<std::size_t>(l);
+    const std::size_t s = solid0 + static_cast<std::size_t>(l);
     same = solids.material[s] == out.material && !(solids.liquid.active && solids.liquid[s] > 0);
   }
   if (!same) {
     out.anyVolumeStiffness = out.anyHourglassYield = false;
-    out.material = solids.material[slot0];
+    out.material = solids.material[solid0];
     for (int l = 0; l < 8; l++) {
-      const std::size_t s = slot0 + static_cast<std::size_t>(l);
+      const std::size_t s = solid0 + static_cast<std::size_t>(l);
       if (l >= n) {
         out.lambda[l] = out.mu[l] = out.volumeStiffness[l] = 0;
         out.constants[l] = {};
@@ -117,7 +118,7 @@ void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneCon
         out.material = -1;
         continue;
       }
-      const ElasticConstants c = slotConstants(*a.work, solids, s);
+      const ElasticConstants c = constantsOfSolid(*a.work, solids, s);
       if (solids.material[s] != out.material || (solids.liquid.active && solids.liquid[s] > 0))
         out.material = -1;
       out.constants[l] = c;
@@ -130,7 +131,7 @@ void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneCon
     listLaws(out);
   }
   for (int l = 0; l < 8; l++) {
-    const std::size_t s = slot0 + static_cast<std::size_t>(l < n ? l : 0);
+    const std::size_t s = solid0 + static_cast<std::size_t>(l < n ? l : 0);
     const ElasticConstants& c = out.constants[l];
     const bool active = l < n && !(a.passive && a.passive[s]);
     out.active[l] = active;
@@ -143,26 +144,26 @@ void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneCon
   }
 }
 
-void completeLane(const ElasticArrays& a, std::size_t slot, int lane, double gradU[9][8]) {
-  const Mat3d g = completeGradient(laneMatrix(gradU, lane), a.momentInverse[slot], a.rank[slot]);
+void completeLane(const ElasticArrays& a, std::size_t solidIndex, int lane, double gradU[9][8]) {
+  const Mat3d g = completeGradient(laneMatrix(gradU, lane), a.momentInverse[solidIndex], a.rank[solidIndex]);
   setLaneMatrix(g, gradU, lane);
 }
 
-void addNormalStress(const ElasticArrays& a, const LaneConstants& c, std::size_t slot, int lane,
+void addNormalStress(const ElasticArrays& a, const LaneConstants& c, std::size_t solidIndex, int lane,
                      const FlatLane& of) {
-  if (a.rank[slot] != 2 || !(a.perTrace[slot] > 0)) return;
-  const Mat3d more = stressOfNormal({laneMatrix(of.gradU, lane), a.momentInverse[slot], 1 / a.perTrace[slot],
-                                     laneMatrix(of.sum, lane), c.volume[lane] * laneMatrix(of.stress, lane),
-                                     c.hourglass[lane]}) *
-                     full(a.momentInverse[slot]);
+  if (a.rank[solidIndex] != 2 || !(a.perTrace[solidIndex] > 0)) return;
+  const Mat3d more = stressOfNormal({laneMatrix(of.gradU, lane), a.momentInverse[solidIndex],
+                                     1 / a.perTrace[solidIndex], laneMatrix(of.sum, lane),
+                                     c.volume[lane] * laneMatrix(of.stress, lane), c.hourglass[lane]}) *
+                     full(a.momentInverse[solidIndex]);
   for (int r = 0; r < 3; r++)
     for (int q = 0; q < 3; q++) of.flux[3 * r + q][lane] += more.row[r][q];
 }
 
-void yieldHourglass(const ElasticArrays& a, std::size_t slot, int lane, LaneConstants& c,
+void yieldHourglass(const ElasticArrays& a, std::size_t solidIndex, int lane, LaneConstants& c,
                     double (&errors)[8]) {
   const double stiffness = c.constants[lane].hourglass, limit = c.constants[lane].hourglassYield,
-               error = std::sqrt(errors[lane] * a.perTrace[slot]);
+               error = std::sqrt(errors[lane] * a.perTrace[solidIndex]);
   errors[lane] = 0;
   if (!(error > limit)) return;
   c.hourglass[lane] *= limit / error;
@@ -172,34 +173,36 @@ void yieldHourglass(const ElasticArrays& a, std::size_t slot, int lane, LaneCons
 namespace {
 
 /// Returns the work (Pa) of a flow that ends with F - 1 = g.
-double lossOf(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const Mat3d& g,
+double lossOf(const ElasticArrays& a, const ElasticConstants& c, std::size_t solidIndex, const Mat3d& g,
               const PlasticFlow& flow) {
   if (!a.lastGradient) return flow.loss;
-  const Mat3d& last = a.lastGradient[slot];
+  const Mat3d& last = a.lastGradient[solidIndex];
   const bool known = determinant(identity3<double>() + last) > 0;
-  return workOfFlow(c, {known ? last : g, a.plasticInverse[slot]}, {g, flow.state.inverse});
+  return workOfFlow(c, {known ? last : g, a.plasticInverse[solidIndex]}, {g, flow.state.inverse});
 }
 
 }  // namespace
 
-void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const double gradU[9][8],
-              int lane, PlasticLanes& out) {
-  Mat3d& inverse = a.plasticInverse[slot];
+void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t solidIndex,
+              const double gradU[9][8], int lane, PlasticLanes& out) {
+  Mat3d& inverse = a.plasticInverse[solidIndex];
   const Mat3d g = laneMatrix(gradU, lane);
-  const bool passive = a.passive && a.passive[slot], held = passive || (a.held && a.held[slot]);
-  PlasticFlow flow{{inverse, a.plasticPath ? a.plasticPath[slot] : 0}, {}, 0, false};
-  if (a.flow && c.yield < never && !held) {
-    flow = plasticFlow(c, g, flow.state, a.referenceGradient ? a.referenceGradient[slot] : Mat3d{}, a.dt);
+  const bool passive = a.passive && a.passive[solidIndex],
+             plasticFixed = passive || (a.plasticFixed && a.plasticFixed[solidIndex]);
+  PlasticFlow flow{{inverse, a.plasticPath ? a.plasticPath[solidIndex] : 0}, {}, 0, false};
+  if (a.flow && c.yield < never && !plasticFixed) {
+    flow = plasticFlow(c, g, flow.state, a.referenceGradient ? a.referenceGradient[solidIndex] : Mat3d{},
+                       a.dt);
     if (flow.flows) {
-      a.dissipated[slot] += a.volume[slot] * lossOf(a, c, slot, g, flow);
+      a.dissipated[solidIndex] += a.volume[solidIndex] * lossOf(a, c, solidIndex, g, flow);
       inverse = flow.state.inverse;
-      if (a.plasticPath) a.plasticPath[slot] = flow.state.path;
+      if (a.plasticPath) a.plasticPath[solidIndex] = flow.state.path;
     }
   } else {
     flow.elastic = elasticGradient(g, inverse);
   }
-  if (a.lastGradient && !passive) a.lastGradient[slot] = g;
-  if (a.flows && a.flow) a.flows[slot] = flow.flows;
+  if (a.lastGradient && !passive) a.lastGradient[solidIndex] = g;
+  if (a.flows && a.flow) a.flows[solidIndex] = flow.flows;
   setLaneMatrix(flow.elastic, out.elastic, lane);
   setLaneMatrix(inverse, out.inverse, lane);
 }
@@ -239,7 +242,8 @@ void computeCauchyStress(const ElasticWork& work, Solids& solids) {
   for (std::size_t s = 0; s < solids.owned; s++) {
     const Mat3d gradU = solids.deformation[s] - identity3<double>();
     const Mat3d elastic = work.plastic ? elasticGradient(gradU, solids.plasticInverse[s]) : gradU;
-    solids.stress[s] = cauchyStress(elasticResponse(slotConstants(work, solids, s), elastic).stress, elastic);
+    solids.stress[s] = cauchyStress(elasticResponse(constantsOfSolid(work, solids, s), elastic).stress,
+                                    elastic);
   }
 }
 

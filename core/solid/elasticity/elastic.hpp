@@ -33,7 +33,7 @@ namespace thaw {
 struct ElasticKernels;
 struct ReferenceKernels;
 
-/// Inner groups of 8 slots have no bonds to remote rows, so their sums need no data of other ranks.
+/// Inner groups of 8 solids have no bonds to remote rows, so their sums need no data of other ranks.
 enum class SolidPart { Inner, Boundary };
 
 /// Work data of the elastic step. It is not part of the state: everything follows from the bonds.
@@ -56,30 +56,31 @@ struct ElasticWork {
   // From the bonds, by refreshReference.
   int capacity = 0;                            ///< capacity of the bonds described below
   std::vector<std::uint8_t> remoteGroup;       ///< by group: 1 if some bond has a remote end
-  std::vector<std::uint32_t> inner, boundary;  ///< groups of owned slots
+  std::vector<std::uint32_t> inner, boundary;  ///< groups of owned solids
   std::vector<std::uint16_t> bondCount;        ///< by group: number of bonds of its longest row
   std::vector<std::uint8_t> ownFrames;  ///< by group: 1 if some bond has its own reference at each end, X_ji
                                         ///< != -X_ij (only if bonds have vectors)
-  std::vector<std::uint8_t> rank;       ///< by owned slot: rank of A
-  std::vector<std::uint8_t> singularLanes;  ///< by group: bit l: rank of slot l < 3
-  std::vector<std::uint8_t> flows;  ///< by owned slot, from phase 1: plastic strain changed (rereference.hpp)
+  std::vector<std::uint8_t> rank;       ///< by owned solid: rank of A
+  std::vector<std::uint8_t> singularLanes;    ///< by group: bit l: rank of solid l < 3
+  std::vector<std::uint8_t> flows;            ///< by owned solid, from phase 1: plastic strain changed
+                                              ///< (rereference.hpp)
   std::vector<std::uint8_t> stretched;        ///< by group, from phase 1: some bond may exceed its limit
                                               ///< (fracture.hpp)
-  AlignedVector<double> perTrace, perWeight;  ///< by owned slot: 1/tr A (1/m^2) and 1/sum w; 0 without bonds
-  AlignedVector<double> strainBound;  ///< by owned slot, 1/m: bound of the strain-displacement operator
+  AlignedVector<double> perTrace, perWeight;  ///< by owned solid: 1/tr A (1/m^2) and 1/sum w; 0 without bonds
+  AlignedVector<double> strainBound;  ///< by owned solid, 1/m: bound of the strain-displacement operator
                                       ///< (elasticStepLimit)
   // Sleep (core/sleep/sleep.hpp).
   bool sleeping = false;  ///< active groups are innerAwake and boundaryAwake
   std::vector<std::uint32_t> innerAwake, boundaryAwake;
-  std::vector<std::uint8_t> held;     ///< by owned slot: plastic strain is fixed; with numerics.rigidify: it
-                                      ///< is passive (active_slots.hpp)
+  std::vector<std::uint8_t> plasticFixed;  ///< by owned solid: plastic strain is fixed; with
+                                           ///< numerics.rigidify: it is passive (active_solids.hpp)
   std::vector<double> groupStretch2;  ///< by group: largest squared stretch of the last evaluation
   // Velocity and drag by row, if bonds are damped; float or double by precision.
   AlignedVector<float> velocityDrag;
   AlignedVector<double> velocityDragDouble;
 };
 
-/// Calls work(first, last) for the active owned slots: all, or those of awake groups.
+/// Calls work(first, last) for the active owned solids: all, or those of awake groups.
 template<class Work> void forEachAwake(const ElasticWork& elastic, const Solids& solids, const Work& work) {
   if (!elastic.sleeping) return work(std::size_t{0}, solids.owned);
   for (const std::vector<std::uint32_t>* groups : {&elastic.innerAwake, &elastic.boundaryAwake})
@@ -127,19 +128,20 @@ ColumnList remoteColumnsBeforeForces(Solids& solids);
 /// Sets the reference configuration to the current positions, if all bonds share one. Requires: called before
 /// the bonds of the start are made.
 void takeReferences(const Continuum& particles, Solids& solids);
-/// Copies position (and velocity and liquid fraction, where active) from the particles of owned slots.
+/// Copies position (and velocity and liquid fraction, where active) from the particles of owned solids.
 void copyToSolids(const Continuum& particles, Solids& solids);
-/// Sets the rest volume (mass over the material's density) of owned slots without one: newly solid particles.
-void fillNewSlots(const Continuum& particles, Solids& solids, const ElasticWork& work, bool atStart);
-/// Adds the elastic force, and the dissipation of the step divided by dt, to the particles of owned slots.
+/// Sets the rest volume (mass over the material's density) of owned solids without one: newly solid
+/// particles.
+void fillNewSolids(const Continuum& particles, Solids& solids, const ElasticWork& work, bool atStart);
+/// Adds the elastic force, and the dissipation of the step divided by dt, to the particles of owned solids.
 /// Sleeping groups are skipped.
 void addSolidForces(const ElasticWork& work, const Solids& solids, Continuum& particles, double dt);
 
-/// Updates A^-1 and the other bond data in `work`, for slots with `changed` set, or for all slots if `all`
+/// Updates A^-1 and the other bond data in `work`, for solids with `changed` set, or for all solids if `all`
 /// (for bonds made by hand). Call it after every bond update and the exchange of remoteColumnsAfterRebuild.
-/// The update also sets `changed` for renumbered slots, and where a bond's other end became remote or owned.
-/// The bits do not depend on which slots are recomputed. Clears `changed`. Returns the number of owned slots
-/// with rank < 3.
+/// The update also sets `changed` for renumbered solids, and where a bond's other end became remote or owned.
+/// The bits do not depend on which solids are recomputed. Clears `changed`. Returns the number of owned
+/// solids with rank < 3.
 std::int64_t refreshReference(ElasticWork& work, Solids& solids, Bonds& bonds, bool all);
 
 /// Phase 1: F, plastic flow, stress and flux of the groups of this part. Requires: Solids::position of owned
@@ -157,21 +159,21 @@ void repeatDeformation(ElasticWork& work, Solids& solids, const Bonds& bonds, co
 void computeElasticForces(ElasticWork& work, Solids& solids, Bonds& bonds, const ElasticStep& step,
                           SolidPart part);
 
-/// Computes the Cauchy stress of all owned slots into Solids::stress (activated here) from F of the last
+/// Computes the Cauchy stress of all owned solids into Solids::stress (activated here) from F of the last
 /// phase 1. For output.
 void computeCauchyStress(const ElasticWork& work, Solids& solids);
 
-/// Bound of the strain-displacement operator of a slot: sum_j |w_j A^-1 X_j| + |sum_j w_j A^-1 X_j|, in 1/m,
+/// Bound of the strain-displacement operator of a solid: sum_j |w_j A^-1 X_j| + |sum_j w_j A^-1 X_j|, in 1/m,
 /// the strain per metre of neighbour displacement. The largest frequency of a body is below sqrt(0.45) c_p
 /// times it (measured squares: 0.21 on a lattice, 0.25-0.35 in disorder, 0.45 in a crumpled sheet). Faces and
 /// corners of a lattice have up to latticeStrainBound / spacing for bonds of at least 1.5 spacings.
 inline constexpr double latticeStrainBound = 4.75;
 inline constexpr double flatStrainFactor = 1.4;  ///< factor for rows and sheets of particles: the
                                                  ///< frequency of a pair is c_p times the bound
-/// Largest bound over the owned slots (1/m), each times the largest stretch of Fp^-1, by which plastic flow
+/// Largest bound over the owned solids (1/m), each times the largest stretch of Fp^-1, by which plastic flow
 /// changed the reference.
 double largestStrainBound(const ElasticWork& work, const Solids& solids);
-/// Returns the number of owned slots whose moment matrix has rank < 3.
+/// Returns the number of owned solids whose moment matrix has rank < 3.
 std::int64_t countSingular(const ElasticWork& work, const Solids& solids);
 
 /// Largest stable time step (s) of all materials that can be solid, and of bond damping: cflElastic * d /

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The two bond loops: each lane is a slot and sums its bonds in order.
+// The two bond loops: each lane is a solid and sums its bonds in order.
 #include "core/solid/elasticity/law_lanes.hpp"
 #include "core/solid/laws/volume.hpp"
 
@@ -69,7 +69,7 @@ __attribute__((flatten)) void deformationOf(ElasticArrays& a) {
       inverse[0][l] = m.xx, inverse[1][l] = m.yy, inverse[2][l] = m.zz, inverse[3][l] = m.xy,
       inverse[4][l] = m.yz, inverse[5][l] = m.xz;
     }
-    bonds.begin(slotsOf(s0, n));
+    bonds.begin(rowsOfSolids(s0, n));
     const std::size_t end = base + std::size_t(a.bondCount[g]) * 8;
     Mat3<T> sum{};
     T excess(Real(0));
@@ -110,7 +110,7 @@ __attribute__((flatten)) void deformationOf(ElasticArrays& a) {
       fe.row[1].y += T(Real(1));
       fe.row[2].z += T(Real(1));
     }
-    // The formula of a lane depends on its own material only, never on the other slots of its group.
+    // The formula of a lane depends on its own material only, never on the other solids of its group.
     Mat3<T> piola;
     const unsigned softened = respond<Real>({c, elasticGradient, fe, a.energy}, piola, energy);
     for (int l = 0; softened != 0 && l < n; l++)
@@ -182,7 +182,7 @@ template<class Real, bool periodic, bool vectors, bool more> void forcesOf(const
   for (std::size_t gi = 0; gi < a.groupCount; gi++) {
     const std::size_t g = a.groups[gi], s0 = 8 * g, base = g * a.capacity * 8;
     const int n = a.owned - s0 < 8 ? static_cast<int>(a.owned - s0) : 8;
-    const Rows self = slotsOf(s0, n);
+    const Rows self = rowsOfSolids(s0, n);
     bonds.begin(self);
     const EightFluxes<Real> i = loadFluxes(bonds.own, bonds.records, self.row);
     Lanes4<Real> vi{};

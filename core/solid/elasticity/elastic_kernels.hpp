@@ -16,7 +16,7 @@ struct ElasticWork;
 struct Solids;
 
 /// Input and output of the loops. Real: float or double by `precision`. Bond arrays are interleaved by 8
-/// slots as in Bonds.
+/// solids as in Bonds.
 struct ElasticArrays {
   Precision precision = Precision::Single;
   bool vectors = false, periodic = false, damping = false, plastic = false, energy = true;
@@ -40,13 +40,13 @@ struct ElasticArrays {
   std::uint8_t* stretched = nullptr;
   bool keepDissipated = false;  ///< add to dissipated
   bool flow = true;             ///< plastic strain may change
-  // By slot.
+  // By solid.
   const Sym3d* momentInverse = nullptr;
   const std::uint8_t* rank = nullptr;
   const double *perTrace = nullptr, *perWeight = nullptr, *volume = nullptr;
   Mat3d* plasticInverse = nullptr;
   Mat3d* lastGradient = nullptr;             ///< null: no limit of plastic strain
-  const Mat3d* referenceGradient = nullptr;  ///< null: all slots have the first reference
+  const Mat3d* referenceGradient = nullptr;  ///< null: all solids have the first reference
   double* plasticPath = nullptr;             ///< null: no hardening
   std::uint8_t* flows = nullptr;             ///< set where plastic strain changed; null: not needed
   Mat3d* deformation = nullptr;              ///< null: not stored
@@ -54,8 +54,8 @@ struct ElasticArrays {
   Vec3d* force = nullptr;
   const ElasticWork* work = nullptr;
   const Solids* solids = nullptr;
-  const std::uint8_t* held = nullptr;     ///< plastic strain is fixed; null: nowhere
-  double* groupStretch2 = nullptr;        ///< by group, as maxStretch2; null: not needed
+  const std::uint8_t* plasticFixed = nullptr;  ///< plastic strain is fixed; null: nowhere
+  double* groupStretch2 = nullptr;             ///< by group, as maxStretch2; null: not needed
   const std::uint8_t* passive = nullptr;  ///< 1: energy and deformation stay, and flux is 0; null: nowhere
   // Results.
   std::int64_t inverted = 0, squeezed = 0;
@@ -66,7 +66,7 @@ struct ElasticArrays {
 struct alignas(64) LaneConstants {
   // hourglass: k, N/m; drag: kg/s.
   double lambda[8], mu[8], volumeStiffness[8], volume[8], hourglass[8], drag[8];
-  double active[8];  // 0: no slot, or a passive one
+  double active[8];  // 0: no solid, or a passive one
   ElasticConstants constants[8];
   bool anyVolumeStiffness, anyHourglassYield;
   int laws;                // different laws in the group
@@ -76,27 +76,27 @@ struct alignas(64) LaneConstants {
 };
 
 // Out of line, in elastic.cpp.
-void loadLaneConstants(const ElasticArrays& a, std::size_t slot0, int n, LaneConstants& out);
+void loadLaneConstants(const ElasticArrays& a, std::size_t solid0, int n, LaneConstants& out);
 /// completeGradient in place; gradU by [row][column][lane].
-void completeLane(const ElasticArrays& a, std::size_t slot, int lane, double gradU[9][8]);
+void completeLane(const ElasticArrays& a, std::size_t solidIndex, int lane, double gradU[9][8]);
 /// Adds stressOfNormal of one flat lane to its flux (V P A^-1 - k grad u).
 struct FlatLane {
   const double (*sum)[8], (*gradU)[8], (*stress)[8];
   double (*flux)[8];
 };
-void addNormalStress(const ElasticArrays& a, const LaneConstants& c, std::size_t slot, int lane,
+void addNormalStress(const ElasticArrays& a, const LaneConstants& c, std::size_t solidIndex, int lane,
                      const FlatLane& of);
 /// Limits the hourglass stress of one lane (hourglassEnergy). errors: sum w |x - F X|^2 (m^2), then the
 /// energy (Pa) beyond that of the reduced stiffness.
-void yieldHourglass(const ElasticArrays& a, std::size_t slot, int lane, LaneConstants& c,
+void yieldHourglass(const ElasticArrays& a, std::size_t solidIndex, int lane, LaneConstants& c,
                     double (&errors)[8]);
 /// Plastic flow of one lane: updates Solids::plasticInverse, records the loss, and returns Fe - 1 and Fp^-1 -
 /// 1.
 struct PlasticLanes {
   double elastic[9][8], inverse[9][8];
 };
-void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t slot, const double gradU[9][8],
-              int lane, PlasticLanes& out);
+void flowLane(const ElasticArrays& a, const ElasticConstants& c, std::size_t solidIndex,
+              const double gradU[9][8], int lane, PlasticLanes& out);
 
 struct ElasticKernels {
   const char* name;  ///< "avx512", "avx2", "base"

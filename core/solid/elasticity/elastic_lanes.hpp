@@ -68,8 +68,8 @@ template<bool periodic> struct Places<double, periodic> {
 struct alignas(64) Rows {
   std::uint32_t row[8];
 };
-/// Returns the rows of a group's slots; lanes past the last slot repeat the first.
-THAW_INLINE Rows slotsOf(std::size_t first, int n) {
+/// Returns the rows of a group's solids; lanes past the last solid repeat the first.
+THAW_INLINE Rows rowsOfSolids(std::size_t first, int n) {
   Rows r;
   for (int l = 0; l < 8; l++)
     r.row[l] = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(l < n ? l : 0);
@@ -107,7 +107,7 @@ THAW_INLINE EightFluxes<Real> loadFluxes(const EightEnds<Real>& ends, const Reco
       ends.second.c,
       {{{ends.second.d, third.a, third.b}, {third.c, third.d, fourth.a}, {fourth.b, fourth.c, fourth.d}}}};
 }
-/// Stores fluxes into the rows of n slots starting at the first; positions stay.
+/// Stores fluxes into the rows of n solids starting at the first; positions stay.
 template<class Real>
 THAW_INLINE void storeFluxes(const EightEnds<Real>& ends, const EightFluxes<Real>& f, int n,
                              Record<Real>* to) {
@@ -125,9 +125,9 @@ template<class Real> struct EightBonds {
   EightEnds<Real> ends;
 };
 
-/// Loads the bonds of a group's slots. vectors: references and weights are stored per bond, in m. Otherwise
+/// Loads the bonds of a group's solids. vectors: references and weights are stored per bond, in m. Otherwise
 /// references are differences of the ends' references in units of ElasticArrays::unit, and the weight is (1 -
-/// X^2/h^2)^3. An unused entry, whose end is the slot itself, then has zeros except for the weight.
+/// X^2/h^2)^3. An unused entry, whose end is the solid itself, then has zeros except for the weight.
 template<class Real, bool periodic, bool vectors> struct BondLoader {
   using T = Lanes<Real>;
   const ElasticArrays& a;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stress and energy of eight slots by the laws of the library (core/solid/laws/laws.hpp), inlined into the
+// Stress and energy of eight solids by the laws of the library (core/solid/laws/laws.hpp), inlined into the
 // bond loops, and by those of extensions. Only code for one instruction set includes this.
 #pragma once
 #include <type_traits>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Updates the data that follow from the reference vectors of bonds, by group of slots.
+// Updates the data that follow from the reference vectors of bonds, by group of solids.
 #include <algorithm>
 
 #include "core/solid/bonds/bond_entries.hpp"
 #include "core/solid/elasticity/elastic_records.hpp"
-#include "core/solid/elasticity/slot_state.hpp"
+#include "core/solid/elasticity/solid_state.hpp"
 
 namespace thaw {
 
@@ -12,7 +12,7 @@ namespace {
 
 std::size_t groupsOf(const Solids& solids) { return (solids.owned + lanes - 1) / lanes; }
 
-/// Makes room for all groups; data of existing slots is kept.
+/// Makes room for all groups; data of existing solids is kept.
 void resizeWork(ElasticWork& work, const Solids& solids, const Bonds& bonds) {
   const std::size_t groups = groupsOf(solids);
   work.bondCount.resize(groups, 0);
@@ -28,7 +28,7 @@ void resizeWork(ElasticWork& work, const Solids& solids, const Bonds& bonds) {
   work.capacity = bonds.capacity;
 }
 
-/// Padding lanes of the last group get bonds of weight 0 to the group's first slot, so that vector loops may
+/// Padding lanes of the last group get bonds of weight 0 to the group's first solid, so that vector loops may
 /// read them.
 void padLastGroup(ElasticWork& work, const Solids& solids, Bonds& bonds) {
   for (std::size_t s = solids.owned; s < groupsOf(solids) * lanes; s++) {
@@ -95,7 +95,7 @@ std::int64_t refreshReference(ElasticWork& work, Solids& solids, Bonds& bonds, b
       for (std::size_t s = first; s < end; s++)
         if (all || solids.changed[s]) {
           packReferences(work, solids, s, s + 1);
-          refreshSlot(work, solids, bonds, s);
+          refreshSolid(work, solids, bonds, s);
         }
     }
     updateGroup(work, solids, bonds, g);

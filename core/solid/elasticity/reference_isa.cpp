@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each lane is a slot and sums its bonds in order, by the same operations as refreshSlot, without fused ones.
-// An unused entry adds zeros: its end is the slot itself, and its weight is set to 0.
+// Each lane is a solid and sums its bonds in order, by the same operations as refreshSolid, without fused
+// ones. An unused entry adds zeros: its end is the solid itself, and its weight is set to 0.
 #include "core/simd/lanes.hpp"
 #include "core/solid/elasticity/reference_kernels.hpp"
 
@@ -22,10 +22,11 @@ THAW_INLINE LanesD gather(const Vec3d* at, const std::uint32_t* rows, double Vec
 }
 
 void moments(const ReferenceArrays& a, std::size_t group, GroupMoments& out) {
-  std::uint32_t slots[8];
-  for (std::uint32_t l = 0; l < 8; l++) slots[l] = static_cast<std::uint32_t>(8 * group) + l;
-  const Vec3<LanesD> own{gather(a.reference, slots, &Vec3d::x), gather(a.reference, slots, &Vec3d::y),
-                         gather(a.reference, slots, &Vec3d::z)};
+  std::uint32_t solidIndices[8];
+  for (std::uint32_t l = 0; l < 8; l++) solidIndices[l] = static_cast<std::uint32_t>(8 * group) + l;
+  const Vec3<LanesD> own{gather(a.reference, solidIndices, &Vec3d::x),
+                         gather(a.reference, solidIndices, &Vec3d::y),
+                         gather(a.reference, solidIndices, &Vec3d::z)};
   const LanesD support2(a.support * a.support);
   Sym3<LanesD> sum{LanesD(0.0), LanesD(0.0), LanesD(0.0), LanesD(0.0), LanesD(0.0), LanesD(0.0)};
   LanesD weights(0.0);
@@ -36,7 +37,7 @@ void moments(const ReferenceArrays& a, std::size_t group, GroupMoments& out) {
                          nearest(gather(a.reference, ends, &Vec3d::z) - own.z, a.period[2])};
     const LanesD q = LanesD(1.0) - dot(X, X) / support2;
     alignas(64) double there[8];
-    for (int l = 0; l < 8; l++) there[l] = ends[l] != slots[l] ? 1 : 0;
+    for (int l = 0; l < 8; l++) there[l] = ends[l] != solidIndices[l] ? 1 : 0;
     const LanesD weight = select((q > LanesD(1e-3)) & (loadRow(there) > LanesD(0.0)), q * q * q, LanesD(0.0));
     sum = sum + weight * symmetric(outer(X, X));
     weights += weight;

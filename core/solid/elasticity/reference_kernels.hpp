@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Moments of eight slots at once, one set of functions per instruction set (reference_isa.cpp); every set
-// gives the bits of refreshSlot. At the start of a scene all slots need them. Only plain pointers here, as in
-// elastic_kernels.hpp.
+// Moments of eight solids at once, one set of functions per instruction set (reference_isa.cpp); every set
+// gives the bits of refreshSolid. At the start of a scene all solids need them. Only plain pointers here, as
+// in elastic_kernels.hpp.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace thaw {
 
 /// Bonds without vectors (Bonds::vectors is false) and their common configuration.
 struct ReferenceArrays {
-  const std::uint32_t* neighbour = nullptr;  ///< interleaved by 8 slots as in Bonds
+  const std::uint32_t* neighbour = nullptr;  ///< interleaved by 8 solids as in Bonds
   std::size_t capacity = 0;
   const Vec3d* reference = nullptr;  ///< m, by row
   double support = 0;                ///< m, upper limit of bond lengths
@@ -21,7 +21,7 @@ struct ReferenceArrays {
                                ///< stores for `levers`
 };
 
-/// Results for the eight slots of a group by [component][lane], components as in Sym3.
+/// Results for the eight solids of a group by [component][lane], components as in Sym3.
 struct alignas(64) GroupMoments {
   double moment[6][8], weights[8];  ///< A = sum w X X^T (m^2) and sum w, by `moments`
   double inverse[6][8];             ///< A^-1, for `levers`

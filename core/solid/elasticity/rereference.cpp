@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/solid/elasticity/slot_state.hpp"
+#include "core/solid/elasticity/solid_state.hpp"
 #include "core/solid/laws/green.hpp"
 #include "core/solid/laws/neo_hookean.hpp"
 #include "core/solid/laws/plasticity.hpp"
@@ -20,40 +20,41 @@ bool canFollow(const Mat3d& f) {
   return j > 0 && dot(c.row[0], c.row[0]) + dot(c.row[1], c.row[1]) + dot(c.row[2], c.row[2]) < 6 * j * j;
 }
 
-/// Returns true if the bonds of a slot would still span the directions that they span now.
-bool keepsRank(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot) {
+/// Returns true if the bonds of a solid would still span the directions that they span now.
+bool keepsRank(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t solidIndex) {
   Sym3d a{};
   for (int k = 0; k < bonds.capacity; k++) {
-    if (!bonds.hasBond(slot, k)) continue;
-    const BondVectors v = bondVectors(work, solids, bonds, slot, k);
+    if (!bonds.hasBond(solidIndex, k)) continue;
+    const BondVectors v = bondVectors(work, solids, bonds, solidIndex, k);
     a = a + v.weight * symmetric(outer(v.current, v.current));
   }
-  return invertMoment(a).rank >= work.rank[slot];
+  return invertMoment(a).rank >= work.rank[solidIndex];
 }
 
-bool takesReference(const ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t slot) {
-  if (!work.flows[slot] || work.rank[slot] == 0) return false;
-  const Mat3d gradU = solids.deformation[slot] - identity3<double>();
+bool takesReference(const ElasticWork& work, const Solids& solids, const Bonds& bonds,
+                    std::size_t solidIndex) {
+  if (!work.flows[solidIndex] || work.rank[solidIndex] == 0) return false;
+  const Mat3d gradU = solids.deformation[solidIndex] - identity3<double>();
   // After a recent update Fp^-1 is the elastic stretch, which may be large.
-  const bool far = norm(plasticMetric(solids.plasticInverse[slot])) > work.rereference &&
+  const bool far = norm(plasticMetric(solids.plasticInverse[solidIndex])) > work.rereference &&
                    norm(greenStrain(gradU)) > 0.5 * work.rereference;
-  return far && canFollow(solids.deformation[slot]) && keepsRank(work, solids, bonds, slot);
+  return far && canFollow(solids.deformation[solidIndex]) && keepsRank(work, solids, bonds, solidIndex);
 }
 
-void takeReference(ElasticWork& work, Solids& solids, Bonds& bonds, std::size_t slot) {
-  const Mat3d gradU = slotGradient(work, solids, bonds, slot);
-  solids.plasticInverse[slot] = pushForward(gradU, solids.plasticInverse[slot]);
-  solids.referenceGradient[slot] = compose(gradU, solids.referenceGradient[slot]);
+void takeReference(ElasticWork& work, Solids& solids, Bonds& bonds, std::size_t solidIndex) {
+  const Mat3d gradU = solidGradient(work, solids, bonds, solidIndex);
+  solids.plasticInverse[solidIndex] = pushForward(gradU, solids.plasticInverse[solidIndex]);
+  solids.referenceGradient[solidIndex] = compose(gradU, solids.referenceGradient[solidIndex]);
   for (int k = 0; k < bonds.capacity; k++) {
-    if (!bonds.hasBond(slot, k)) continue;
-    const std::size_t b = bonds.at(slot, k);
-    const Vec3d x = bondVectors(work, solids, bonds, slot, k).current;
+    if (!bonds.hasBond(solidIndex, k)) continue;
+    const std::size_t b = bonds.at(solidIndex, k);
+    const Vec3d x = bondVectors(work, solids, bonds, solidIndex, k).current;
     bonds.x.set(b, x.x);
     bonds.y.set(b, x.y);
     bonds.z.set(b, x.z);
   }
-  work.ownFrames[slot / lanes] = 1;
-  refreshSlot(work, solids, bonds, slot);
+  work.ownFrames[solidIndex / lanes] = 1;
+  refreshSolid(work, solids, bonds, solidIndex);
 }
 
 }  // namespace

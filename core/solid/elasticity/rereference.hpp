@@ -6,25 +6,25 @@
 
 namespace thaw {
 
-/// Takes the current configuration as reference for slots whose plastic strain since the last reference
+/// Takes the current configuration as reference for solids whose plastic strain since the last reference
 /// exceeds Numerics::plasticRereference: X_ij <- x_ij, Fp^-1 <- Ve of Fe = Ve R. F becomes the identity.
-/// Stress, elastic energy and weights stay; the hourglass energy vanishes. Slots that are inverted or nearly
+/// Stress, elastic energy and weights stay; the hourglass energy vanishes. Solids that are inverted or nearly
 /// flat (|F^-1|^2 > 6), or whose bonds would no longer span space, are postponed. Neighbours renew their
-/// copies of the vectors (Bonds::rx) here, and for remote slots in phase 2 (Boundary), by the exchanged
+/// copies of the vectors (Bonds::rx) here, and for remote solids in phase 2 (Boundary), by the exchanged
 /// column Solids::rereferenced. Requires: called after phase 1 of both parts and breakBonds. The jump of
-/// elastic energy is added to phaseJump (J). Returns the number of slots.
+/// elastic energy is added to phaseJump (J). Returns the number of solids.
 std::int64_t rereference(ElasticWork& work, Solids& solids, Bonds& bonds, const ElasticStep& step,
                          ExactSum& phaseJump);
 
 /// Renews, in the bonds of these groups, the copied vectors of neighbours in this range that took a new
 /// reference.
-struct SlotRange {
+struct SolidRows {
   std::size_t begin, end;
 };
 void copyReferences(ElasticWork& work, const Solids& solids, Bonds& bonds,
-                    std::span<const std::uint32_t> groups, SlotRange flagged);
+                    std::span<const std::uint32_t> groups, SolidRows flagged);
 
-/// Renews the copied vectors of remote slots that took a new reference; part of phase 2.
+/// Renews the copied vectors of remote solids that took a new reference; part of phase 2.
 void copyRemoteReferences(ElasticWork& work, const Solids& solids, Bonds& bonds);
 
 }  // namespace thaw

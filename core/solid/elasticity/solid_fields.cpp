@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fields that the solids of a scene need, and transfer between particles and slots.
+// Fields that the solids of a scene need, and transfer between particles and solids.
 #include <algorithm>
 
 #include "core/contact/solid_contact.hpp"
@@ -39,10 +39,10 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
   // Melting records the energy of softening particles in every step, and substeps end at positions of their
   // own.
   work.energyInSteps = modules.melting || modules.substeps;
-  if (modules.rigidify) work.energyInSteps = true;  // passive slots keep the energy of their last evaluation
+  if (modules.rigidify) work.energyInSteps = true;  // passive solids keep the energy of their last evaluation
   work.deformationInSteps = work.energyInSteps || vectors || modules.sleep;
 
-  particles.activate(particles.slot);
+  particles.activate(particles.solidIndex);
   if (modules.freezing || modules.welding) {
     particles.activate(particles.frame);
     particles.activate(particles.justFrozen);
@@ -112,7 +112,7 @@ void copyToSolids(const Continuum& particles, Solids& solids) {
   }
 }
 
-void fillNewSlots(const Continuum& particles, Solids& solids, const ElasticWork& work, bool atStart) {
+void fillNewSolids(const Continuum& particles, Solids& solids, const ElasticWork& work, bool atStart) {
   for (std::size_t s = 0; s < solids.owned; s++) {
     if (solids.volume[s] > 0) continue;
     solids.volume[s] = particles.mass[solids.particle[s]] / work.materials[solids.material[s]].density;

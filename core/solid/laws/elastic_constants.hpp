@@ -18,7 +18,7 @@ struct ElasticConstants {
   double hardening = 0;           ///< 1, increase of `yield` with the equivalent plastic strain
   double maxPlastic = never;      ///< 1
   double dragDensity = 0;         ///< kg/(m^3 s), damping * density
-  const BoundLaw* law = nullptr;  ///< null: no slot
+  const BoundLaw* law = nullptr;  ///< null: no solid
 };
 
 /// Returns the constants of a material at this liquid fraction (K05 3.3), with its law, boundLaw(m).

@@ -22,7 +22,7 @@ double deformedVolumeRatio(const SurfaceView& w, std::size_t i) {
   const Continuum& p = w.particles;
   if (!w.modules.solid || w.clock.step == 0 || !isSampled(w.scene, p.body[i]) || !takesSubsteps(p, i))
     return 1;
-  return std::clamp(determinant(w.solids.deformation[p.slot[i]]), least, most);
+  return std::clamp(determinant(w.solids.deformation[p.solidIndex[i]]), least, most);
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ void gatherParticles(const SurfaceView& w, int rank) {
     if (c.referencePosition.active) c.referencePosition[i] = p.surfaceStartPosition[i];
     if (c.covered.active)
       c.covered[i] = touchesAsPiece(p, i) ? !p.exposed[i]
-                                          : p.slot[i] != noSlot && !w.solids.exposed[p.slot[i]];
+                                          : p.solidIndex[i] != noSolid && !w.solids.exposed[p.solidIndex[i]];
     c.body[i] = p.body[i];
     c.source[i] = static_cast<std::uint64_t>(rank) << 32 | i;
   }
@@ -96,7 +96,7 @@ void returnParticles(Continuum& p, Solids& solids, Surface& surface, SurfaceHalo
     for (std::size_t i = 0; i < p.owned; i++) {
       if (here[i] != 0) continue;
       if (touchesAsPiece(p, i)) p.exposed[i] = 1;
-      else if (p.slot[i] != noSlot) solids.exposed[p.slot[i]] = 1;
+      else if (p.solidIndex[i] != noSolid) solids.exposed[p.solidIndex[i]] = 1;
     }
   }
   if (c.fill.active) {

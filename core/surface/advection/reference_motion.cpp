@@ -7,7 +7,7 @@
 namespace thaw {
 namespace {
 
-constexpr float wet = 0.02f;
+constexpr float flowingFraction = 0.02f;
 /// If reference positions lie this close to a plane, relative to the square of their distances, displacement
 /// across it results from the plane's rotation.
 constexpr double flat = 0.03;
@@ -18,7 +18,7 @@ struct Partner {
   double weight;
 };
 
-enum class Found { Map, TooFew, Bare };
+enum class Found { Map, TooFew, Exposed };
 
 /// x = now + gradient (X - then), from weighted means and least squares.
 struct AffineMap {
@@ -39,17 +39,17 @@ Found findPartners(const PartnerSearch& w, std::size_t i, std::vector<Partner>& 
   const SurfaceParticles& p = w.surface.particles;
   const double reach = referenceReach * w.scene.spacing, reach2 = reach * reach;
   partners.clear();
-  bool bare = false;
+  bool exposed = false;
   forRowsWithin(w.bins, s.position[i], w.surface.particleSupport, [&](std::uint32_t j, double) {
     // The particle came after the start.
     if (p.component[j] != s.component[i] || (!p.covered[j] && p.referencePosition[j] == Vec3d{})) return;
     const Vec3d then = minimumImage(p.referencePosition[j] - s.referencePosition[i], w.periods);
     const double share = 1 - dot(then, then) / reach2;
     if (!(share > 0)) return;
-    bare = bare || !p.covered[j];
+    exposed = exposed || !p.covered[j];
     partners.push_back({then, p.position[j] + p.displacement[j] - s.position[i], share * share * share});
   });
-  return bare ? Found::Bare : partners.size() < 3 ? Found::TooFew : Found::Map;
+  return exposed ? Found::Exposed : partners.size() < 3 ? Found::TooFew : Found::Map;
 }
 
 bool fit(const std::vector<Partner>& partners, AffineMap& map) {
@@ -93,7 +93,7 @@ void recordReference(Continuum& particles, Surface& surface) {
   if (!s.hasReference.active) return;
   for (std::size_t i = 0; i < particles.owned; i++) particles.surfaceStartPosition[i] = particles.position[i];
   for (std::size_t i = 0; i < s.owned; i++) {
-    s.hasReference[i] = !(s.liquid.active && s.liquid[i] >= wet);
+    s.hasReference[i] = !(s.liquid.active && s.liquid[i] >= flowingFraction);
     s.referencePosition[i] = s.position[i];
     s.referenceNormal[i] = s.normal[i];
     s.referenceTangent[i] = s.tangent[i];
@@ -108,9 +108,9 @@ void moveByReference(const Scene& scene, Surface& surface, const Bins& bins) {
   AffineMap map;
   for (std::size_t i = 0; i < s.owned; i++) {
     if (!s.hasReference[i]) continue;
-    const Found found = s.liquid.active && s.liquid[i] >= wet ? Found::Bare
-                                                              : findPartners(around, i, partners);
-    if (found == Found::Bare) {
+    const Found found = s.liquid.active && s.liquid[i] >= flowingFraction ? Found::Exposed
+                                                                          : findPartners(around, i, partners);
+    if (found == Found::Exposed) {
       s.hasReference[i] = 0;
       s.referencePosition[i] = s.referenceNormal[i] = s.referenceTangent[i] = {};
       continue;

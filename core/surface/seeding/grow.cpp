@@ -79,11 +79,11 @@ void sphereAround(const SurfaceView& w, const SurfaceTools& t, std::size_t i, st
   forRowsAround(t.relax.particleBins, p.position[i], p.position[i], far, [&](std::uint32_t j, const Vec3d&) {
     const Vec3d d = p.position[j] - p.position[i];
     if (p.component[j] != p.component[i] || dot(d, d) > far * far) return;
-    const double held = p.volumeRatio[j] * p.volume[j];
-    volume += held;
-    away += held * d;
-    if (p.temperature.active) temperature += held * static_cast<double>(p.temperature[j]);
-    if (p.liquid.active) liquid += held * static_cast<double>(p.liquid[j]);
+    const double own = p.volumeRatio[j] * p.volume[j];
+    volume += own;
+    away += own * d;
+    if (p.temperature.active) temperature += own * static_cast<double>(p.temperature[j]);
+    if (p.liquid.active) liquid += own * static_cast<double>(p.liquid[j]);
   });
   for (SurfelRow& r : dropSphere(p.component[i], p.position[i] + away / volume, volume, w.surface.spacing)) {
     r.temperature = static_cast<float>(temperature / volume);

@@ -53,9 +53,9 @@ void uncoverBesideLiquid(const Scene& scene, const SurfaceTools& t, Surface& s) 
   const Surfels& f = s.surfels;
   SurfaceParticles& p = s.particles;
   if (!p.covered.active || !p.liquid.active) return;
-  constexpr float wet = 0.02f;
+  constexpr float flowingFraction = 0.02f;
   std::vector<std::uint8_t> flows(p.size());
-  for (std::size_t i = 0; i < p.size(); i++) flows[i] = p.liquid[i] >= wet;
+  for (std::size_t i = 0; i < p.size(); i++) flows[i] = p.liquid[i] >= flowingFraction;
   if (std::find(flows.begin(), flows.end(), 1) == flows.end()) return;
   Bins liquid;
   pickRows(t.relax.particleBins, flows.data(), liquid);

@@ -44,7 +44,7 @@ void meltWorld(Continuum& p, const CellGrid& grid, const Scene& scene) {
     if (m.canBeSolid() && !m.melts() && !m.liquidAtStart) continue;
     p.phase[i] = Liquid;
     if (p.liquid.active) p.liquid[i] = 1;
-    if (p.slot.active) p.slot[i] = noSlot;
+    if (p.solidIndex.active) p.solidIndex[i] = noSolid;
     const Vec3d x = p.position[i];
     p.position[i] += 0.1 * h * Vec3d{std::sin(k * x.y), std::sin(k * x.z), std::sin(k * x.x)};
   }

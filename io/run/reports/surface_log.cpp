@@ -60,11 +60,11 @@ void addToComponentLog(const std::string& out, const Surface& surface, const Clo
 }
 
 VolumeErrors truncateComponentLog(const std::string& out, std::int64_t step) {
-  VolumeErrors held;
+  VolumeErrors volumeErrors;
   std::ifstream file(componentLogPath(out));
   if (!file) {
     beginComponentLog(out);
-    return held;
+    return errors;
   }
   std::stringstream all;
   all << file.rdbuf();
@@ -78,7 +78,7 @@ VolumeErrors truncateComponentLog(const std::string& out, std::int64_t step) {
     if (all.eof() || at < 0 || at > step) continue;
     kept += line + missingCommas(line) + "\n";
     if (at != frameStep) {
-      recordVolumes(held, frame, time);
+      recordVolumes(errors, frame, time);
       frame.clear();
       frameStep = at;
     }
@@ -93,9 +93,9 @@ VolumeErrors truncateComponentLog(const std::string& out, std::int64_t step) {
     frame.push_back(c);
     time = numberIn(fields, column::time, 0.0);
   }
-  recordVolumes(held, frame, time);
+  recordVolumes(errors, frame, time);
   if (kept != all.str()) replaceTextFile(componentLogPath(out), kept);
-  return held;
+  return errors;
 }
 
 void writeEventLog(const std::string& out, const std::vector<SurfaceEvent>& events) {

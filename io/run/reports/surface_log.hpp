@@ -7,7 +7,7 @@
 
 #include "core/surface/data/surface.hpp"
 #include "core/time/clock.hpp"
-#include "io/run/reports/volume_held.hpp"
+#include "io/run/reports/volume_errors.hpp"
 
 namespace thaw {
 

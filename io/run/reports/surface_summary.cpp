@@ -31,7 +31,7 @@ Json surfaceJson(const SurfaceSummary& s) {
                                                                                       s.updatesHere);
   SurfaceCounters counters = s.counters;
   for (const NamedCount& c : countsOf(counters)) j["counters"][c.name] = *c.count;
-  j["volume_held"] = volumeErrorJson(s.held);
+  j["volume_errors"] = volumeErrorJson(s.volumeErrors);
   j["components"] = Json::array();
   for (const SurfaceComponent& c : s.components)
     j["components"].push_back({{"component", c.label},
@@ -71,7 +71,7 @@ std::vector<std::string> surfaceLines(const SurfaceSummary& s) {
                           1e3 * s.phases[k] / static_cast<double>(s.updatesHere));
     lines.push_back(line);
   }
-  for (const std::string& line : volumeErrorLines(s.held)) lines.push_back(line);
+  for (const std::string& line : volumeErrorLines(s.volumeErrors)) lines.push_back(line);
   std::vector<SurfaceComponent> largest = s.components;
   std::stable_sort(largest.begin(), largest.end(), [](const SurfaceComponent& a, const SurfaceComponent& b) {
     return a.particles > b.particles;
@@ -126,7 +126,8 @@ std::vector<std::string> surfaceWarnings(const SurfaceSummary& s) {
   add(s.counters.capped, "updates of the surface reached their limit of births and deaths");
   add(s.counters.unfinished,
       "updates of the surface ended at `surface.iterations` while surfels still moved");
-  if (const std::string line = volumeErrorWarning(s.held); s.keepsVolume && !line.empty()) w.push_back(line);
+  if (const std::string line = volumeErrorWarning(s.volumeErrors); s.keepsVolume && !line.empty())
+    w.push_back(line);
   return w;
 }
 

@@ -10,7 +10,7 @@
 #include "core/surface/data/surface.hpp"
 #include "core/surface/data/surface_times.hpp"
 #include "core/surface/start_pieces.hpp"
-#include "io/run/reports/volume_held.hpp"
+#include "io/run/reports/volume_errors.hpp"
 
 namespace thaw {
 
@@ -23,7 +23,7 @@ struct SurfaceSummary {
   double seconds = 0;                          ///< their time, largest over ranks
   std::array<double, surfacePhases> phases{};  ///< s, by phase, largest over ranks
   bool keepsVolume = false;                    ///< the scene sets surface.keep_volume
-  VolumeErrors held;                           ///< over all frames of the run so far; first rank only
+  VolumeErrors volumeErrors;                   ///< over all frames of the run so far; first rank only
   SurfaceCounters counters;
   std::vector<SurfaceComponent> components;
   std::vector<SurfaceEvent> events;

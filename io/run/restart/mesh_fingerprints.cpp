@@ -28,7 +28,7 @@ template<class Use> void eachShape(Scene& s, Use&& use) {
   }
   for (OrientedBody& b : s.oriented) {
     use(b.shape);
-    for (OrientedAnchor& a : b.anchors) use(a.region);
+    for (OrientedConstraint& a : b.constraints) use(a.region);
     for (OrientedField& f : b.fields) use(f.region);
     for (OrientedEvent& e : b.events) use(e.region);
   }

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "core/oriented/forces/anchors.hpp"
+#include "core/oriented/forces/constraints.hpp"
 #include "core/oriented/population/events.hpp"
 
 namespace thaw {
@@ -20,10 +20,10 @@ std::int64_t countUnknownParticles(const Continuum& p, const Scene& scene) {
 std::int64_t countUnknownOriented(const OrientedBodies& oriented, const Scene& scene) {
   const Oriented& o = oriented.rows;
   std::int64_t n = 0;
-  for (std::size_t i = 0; i < o.owned; i++)  // Particles born later have no anchor and are free.
+  for (std::size_t i = 0; i < o.owned; i++)  // Particles born later have no constraint and are free.
     n += o.body[i] >= scene.oriented.size() ||
-         ((o.flags[i] & (fixedPosition | fixedOrientation)) && o.anchor[i] != noAnchor &&
-          o.anchor[i] >= scene.oriented[o.body[i]].anchors.size());
+         ((o.flags[i] & (fixedPosition | fixedOrientation)) && o.constraint[i] != noConstraint &&
+          o.constraint[i] >= scene.oriented[o.body[i]].constraints.size());
   return n;
 }
 
@@ -69,7 +69,7 @@ std::vector<std::string> checkpointMismatches(const World& w, Reducer& all) {
                              w.modules.sheet ? countUnknownVertices(w.sheets) : 0};
   all.sum(strange);
   constexpr const char* rows[3] = {"particles belong to a body, an emitter or a material",
-                                   "oriented particles belong to a body or an anchor",
+                                   "oriented particles belong to a body or a constraint",
                                    "vertices belong to a sheet, a region or a mesh"};
   std::vector<std::string> lines;
   for (std::size_t k = 0; k < 3; k++)

@@ -13,10 +13,10 @@ namespace {
 
 void checkWrap(const Scene& s, std::size_t n, std::vector<SceneError>& errors) {
   const SheetBody& b = s.sheets[n];
-  if (b.wrapTo.empty()) return;
-  const std::vector<WrapTarget> found = wrapTargets(s, b.wrapTo);
+  if (b.shrinkWrapTo.empty()) return;
+  const std::vector<WrapTarget> found = wrapTargets(s, b.shrinkWrapTo);
   const auto refuse = [&](const std::string& text) {
-    errors.push_back({b.where, "sheet '" + b.name + "': wrap_to: " + text});
+    errors.push_back({b.where, "sheet '" + b.name + "': shrink_wrap_to: " + text});
   };
   if (found.empty()) {
     std::set<std::string> names;
@@ -25,22 +25,22 @@ void checkWrap(const Scene& s, std::size_t n, std::vector<SceneError>& errors) {
     };
     add(s.obstacles), add(s.bodies), add(s.emitters), add(s.oriented), add(s.sheets);
     names.erase(b.name);
-    refuse("unknown obstacle or body '" + b.wrapTo + "'" + suggestion(b.wrapTo, names));
+    refuse("unknown obstacle or body '" + b.shrinkWrapTo + "'" + suggestion(b.shrinkWrapTo, names));
   } else if (found.size() > 1) {
-    refuse("'" + b.wrapTo + "' is the name of several objects of the scene; expected a unique name");
+    refuse("'" + b.shrinkWrapTo + "' is the name of several objects of the scene; expected a unique name");
   } else if (found[0] == WrapTarget{WrapKind::Sheet, static_cast<std::uint16_t>(n)}) {
-    refuse("a sheet cannot wrap around itself; omit `wrap_to` to wrap against its own normals");
+    refuse("a sheet cannot wrap around itself; omit `shrink_wrap_to` to shrink against its own normals");
   }
 }
 
 /// Returns the name of a force on a vertex that depends on its position, other than the spring to its rest
 /// position. Returns "" if there is none.
 std::string positionDependentForce(const Scene& s, const SheetBody& b) {
-  if (b.warp > 0 || b.weft > 0 || b.shear > 0 || b.bending > 0 || b.volumeStiffness > 0 || b.push > 0 ||
-      b.pull > 0)
+  if (b.warp > 0 || b.weft > 0 || b.shear > 0 || b.bending > 0 || b.volumeStiffness > 0 || b.repulsion > 0 ||
+      b.attraction > 0)
     return "forces of its neighbours";
-  if (!b.brushes.empty()) return "the pressure of a brush";
-  if (b.wrap != 0) return "the pressure of the wrap";
+  if (!b.pressureBrushes.empty()) return "the pressure of a pressure brush";
+  if (b.shrinkWrap != 0) return "the pressure of the shrink-wrap";
   if (!s.obstacles.empty()) return "contact with obstacles";
   for (const auto& axis : s.domain.side)
     for (const Side side : axis)

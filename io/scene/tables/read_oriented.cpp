@@ -40,8 +40,8 @@ bool readsFile(const Shape& s) {
          std::any_of(s.parts.begin(), s.parts.end(), [](const Shape& p) { return readsFile(p); });
 }
 
-void readAnchor(TableReader& r, OrientedAnchor& a) {
-  r.restart(Restart::State);  // particles refer to anchors by their places in the list
+void readConstraint(TableReader& r, OrientedConstraint& a) {
+  r.restart(Restart::State);  // particles refer to constraints by their places in the list
   readShape(r, a.region);
   r.flag("position", a.position, "fixes particle positions");
   r.flag("normal", a.normal, "fixes particle orientations");
@@ -57,12 +57,12 @@ void readAnchor(TableReader& r, OrientedAnchor& a) {
 
 void readField(TableReader& r, OrientedField& f) {
   r.restart(Restart::Coefficient);
-  r.vector("push", f.push, "m/s^2", "uniform acceleration");
-  r.vector("point", f.point, "m", "target point of pull");
-  r.number("pull", f.pull, "m/s^2", anyNumber(),
+  r.vector("acceleration", f.acceleration, "m/s^2", "uniform acceleration");
+  r.vector("point", f.point, "m", "target point of the attraction");
+  r.number("attraction", f.attraction, "m/s^2", anyNumber(),
            "largest acceleration toward the point; below 0: away from it. At u = distance / radius it is "
            "3.494 u (1 - u^2)^2 times this, with its maximum at u = 0.447. It is the gradient of an energy");
-  r.number("radius", f.radius, "m", positive(), "radius at which pull ends");
+  r.number("radius", f.radius, "m", positive(), "radius at which the attraction ends");
   r.number("pressure", f.pressure, "Pa", anyNumber(), "pressure along the normals");
   r.number("from", f.from, "s", notNegative(), "start time");
   r.number("until", f.until, "s", orNever(notNegative()), "end time");
@@ -74,17 +74,19 @@ void readField(TableReader& r, OrientedField& f) {
     r.fail("place", "needs a shape: without one this field acts everywhere");
   }
   if (!r.reading()) return;
-  if (length(f.push) == 0 && f.pull == 0 && f.pressure == 0)
-    r.fail(r.place(), r.path() + ": this field has no effect: set `push`, `pull` or `pressure`");
-  if (f.pull != 0 && !r.has("point")) r.fail("pull", "needs `point`, its target");
-  if (f.pull != 0 && !r.has("radius")) r.fail("pull", "needs `radius`, at which it ends");
+  if (length(f.acceleration) == 0 && f.attraction == 0 && f.pressure == 0)
+    r.fail(r.place(),
+           r.path() + ": this field has no effect: set `acceleration`, `attraction` or `pressure`");
+  if (f.attraction != 0 && !r.has("point")) r.fail("attraction", "needs `point`, its target");
+  if (f.attraction != 0 && !r.has("radius")) r.fail("attraction", "needs `radius`, at which it ends");
   for (const char* key : {"point", "radius"})
-    if (r.has(key) && f.pull == 0) r.fail(key, "belongs to `pull`, which is missing", {"pull"});
+    if (r.has(key) && f.attraction == 0)
+      r.fail(key, "belongs to `attraction`, which is missing", {"attraction"});
   if (!(f.until > f.from)) r.fail("until", "must be after `from`", {"from"});
 }
 
-/// Returns whether each piece of the stroke is parallel to its direction.
-bool isParallelStroke(const OrientedEvent& e) {
+/// Returns whether each segment of the line is parallel to its direction.
+bool isParallelLine(const OrientedEvent& e) {
   for (std::size_t k = 0; k + 1 < e.path.size(); k++) {
     const Vec3d piece = e.path[k + 1] - e.path[k];
     if (length(cross(piece, e.direction)) > 1e-9 * length(piece) * length(e.direction)) return false;
@@ -107,14 +109,14 @@ void readEvent(TableReader& r, OrientedEvent& e) {
     if (length(e.normal) == 0) t.fail("normal", "must not be zero: expected a direction");
   });
   readPoints(r,
-             {"stroke", "m",
+             {"line", "m",
               "cut: a line through points, extruded along `direction`; nothing beyond its ends is cut", cut},
              e.path);
-  if (r.reading() && !e.path.empty()) e.tool = CutTool::Stroke;
-  r.vector("direction", e.direction, "", "cut by a stroke: direction of extrusion; any length but 0");
+  if (r.reading() && !e.path.empty()) e.tool = CutTool::Line;
+  r.vector("direction", e.direction, "", "cut along a line: direction of extrusion; any length but 0");
   readPoints(r, {"along", "m", "crease: the line", !cut}, e.path);
   r.number("radius", e.radius, "m", notNegative(),
-           "crease: distance from the line within which particles are creased; 0: a spacing. stroke: "
+           "crease: distance from the line within which particles are creased; 0: a spacing. line: "
            "distance within which particles are cut; 0: a support radius");
   const bool smooth = e.kind == OrientedEventKind::Smooth;
   const bool shaped = smooth || (cut && !r.has("plane") && e.path.empty());
@@ -127,32 +129,31 @@ void readEvent(TableReader& r, OrientedEvent& e) {
                             "\"builtin:bust\" or \"builtin:head\"");
   }
   if (!r.reading()) return;
-  if (cut && r.has("plane") && r.has("stroke"))
-    r.fail("stroke",
-           "a second tool; expected one of `plane`, `stroke` and a shape: use one cut for each tool");
+  if (cut && r.has("plane") && r.has("line"))
+    r.fail("line", "a second tool; expected one of `plane`, `line` and a shape: use one cut for each tool");
   const auto only = [&](const char* key, bool takes, const char* of) {
     if (r.has(key) && !takes) r.fail(key, std::string("is for ") + of + " only");
   };
   only("other", e.kind == OrientedEventKind::Weld, "a weld");
   only("plane", cut, "a cut");
-  only("stroke", cut, "a cut");
+  only("line", cut, "a cut");
   only("along", e.kind == OrientedEventKind::Crease, "a crease");
-  const bool stroke = cut && e.tool == CutTool::Stroke, crease = e.kind == OrientedEventKind::Crease;
-  only("direction", stroke, "the cut by a stroke");
-  only("radius", stroke || crease, "a crease and the cut by a stroke");
+  const bool line = cut && e.tool == CutTool::Line, crease = e.kind == OrientedEventKind::Crease;
+  only("direction", line, "the cut along a line");
+  only("radius", line || crease, "a crease and the cut along a line");
   for (std::size_t k = 0; k + 1 < e.path.size(); k++)
     if (length(e.path[k + 1] - e.path[k]) == 0)
-      r.fail(crease ? "along" : "stroke", "two successive points are equal; expected a line");
+      r.fail(crease ? "along" : "line", "two successive points are equal; expected a line");
   if (e.kind == OrientedEventKind::Weld && e.other.empty())
     r.fail("other", "is missing: expected the name of the body to weld to this one");
   if (e.kind == OrientedEventKind::Crease && e.path.size() < 2)
     r.fail("along", "expected at least two points");
-  if (e.kind == OrientedEventKind::Cut && e.tool == CutTool::Stroke && e.path.size() < 2)
-    r.fail("stroke", "expected at least two points");
+  if (e.kind == OrientedEventKind::Cut && e.tool == CutTool::Line && e.path.size() < 2)
+    r.fail("line", "expected at least two points");
   if (length(e.direction) == 0) r.fail("direction", "must not be zero: expected a direction");
-  else if (cut && e.tool == CutTool::Stroke && e.path.size() > 1 && isParallelStroke(e))
-    r.fail("stroke",
-           "is parallel to its `direction` and defines no plane: expected a direction across the stroke");
+  else if (cut && e.tool == CutTool::Line && e.path.size() > 1 && isParallelLine(e))
+    r.fail("line",
+           "is parallel to its `direction` and defines no plane: expected a direction across the line");
 }
 
 void readSource(TableReader& r, OrientedBody& b) {
@@ -228,7 +229,7 @@ void readSource(TableReader& r, OrientedBody& b) {
 
 void readOriented(TableReader& r, OrientedBody& b, SceneReading& x) {
   r.as(Restart::Free).text("name", b.name, "for messages and `--set`; none: \"oriented\" and its number");
-  // A restart finds anchors and given points by their positions at the start.
+  // A restart finds constraints and given points by their positions at the start.
   r.restart(Restart::State);
   readSource(r, b);
   std::string colour;
@@ -284,7 +285,7 @@ void readOriented(TableReader& r, OrientedBody& b, SceneReading& x) {
   r.number("spin_damping", b.spinDamping, "1/s", notNegative(), "rate at which rotations decay");
   r.number("pressure", b.pressure, "Pa", anyNumber(),
            "pressure along the normals; below 0: contracts the surface around its content");
-  r.vector("push", b.push, "m/s^2", "uniform acceleration in addition to gravity");
+  r.vector("acceleration", b.acceleration, "m/s^2", "uniform acceleration in addition to gravity");
   r.number("contact", b.contact, "", positive(),
            "stiffness of contacts as a multiple of `stiffness`. Contacts with bodies and obstacles also have "
            "a barrier, which follows from the scene's speeds and masses. There is no restitution; `damping` "
@@ -315,9 +316,11 @@ void readOriented(TableReader& r, OrientedBody& b, SceneReading& x) {
            "distance (spacings) below which one of two particles is removed; 0: never");
   r.whole("every", b.every, 1, 100000, "steps between checks of gaps, borders and surplus particles");
   r.whole("most", b.most, 1, INT64_C(1) << 32, "number of particles at which this body stops growing");
-  r.tables("anchor", "constrains the particles that are in its SHAPE at the start", b.anchors, readAnchor);
+  r.tables("constraint", "constrains the particles that are in its SHAPE at the start", b.constraints,
+           readConstraint);
   r.tables("field",
-           "external field, in addition to push and pressure, on the particles that are in its SHAPE (none: "
+           "external field, in addition to `acceleration` and `pressure`, on the particles that are in its "
+           "SHAPE (none: "
            "on all) at that time",
            b.fields, readField);
   r.tables("event", "weld, cut, crease or smoothing at a time", b.events, readEvent);

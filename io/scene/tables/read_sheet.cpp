@@ -11,7 +11,7 @@ namespace thaw {
 namespace {
 
 Range factorRange(std::size_t f) {
-  return static_cast<SheetFactor>(f) == SheetFactor::Wrap ? anyNumber() : notNegative();
+  return static_cast<SheetFactor>(f) == SheetFactor::ShrinkWrap ? anyNumber() : notNegative();
 }
 
 const char* aboutInRegion(std::size_t f) {
@@ -20,8 +20,8 @@ const char* aboutInRegion(std::size_t f) {
     case SheetFactor::Weft:
     case SheetFactor::Shear:
     case SheetFactor::Bending:
-    case SheetFactor::Push:
-    case SheetFactor::Pull:
+    case SheetFactor::Repulsion:
+    case SheetFactor::Attraction:
       return "factor of the sheet's value; forces between two vertices use the mean of both";
     case SheetFactor::Volume:
       return "factor of the sheet's value; a closed piece has one pressure and uses the mean over its area";
@@ -135,10 +135,12 @@ void readInner(TableReader& r, SheetBody& b) {
            "shortens the step");
   r.number("volume_stiffness", b.volumeStiffness, "Pa", notNegative(),
            "pressure of a closed mesh per relative change of its volume");
-  r.number("push", b.push, "N/m", notNegative(), "repulsion between vertices closer than the thickness");
-  r.number("pull", b.pull, "N/m", notNegative(),
-           "attraction between vertices beyond the thickness, up to `pull_reach`");
-  r.number("pull_reach", b.pullReach, "m", notNegative(), "range of pull beyond the thickness");
+  r.number("repulsion", b.repulsion, "N/m", notNegative(),
+           "repulsion between vertices closer than the thickness");
+  r.number("attraction", b.attraction, "N/m", notNegative(),
+           "attraction between vertices beyond the thickness, up to `attraction_range`");
+  r.number("attraction_range", b.attractionRange, "m", notNegative(),
+           "range of the attraction beyond the thickness");
 }
 
 void readOuter(TableReader& r, SheetBody& b) {
@@ -146,12 +148,12 @@ void readOuter(TableReader& r, SheetBody& b) {
   r.number("wind_density", b.windDensity, "kg/m^3", notNegative(),
            "density of the air times a drag coefficient: pressure divided by the squared normal velocity. 0: "
            "no air. Without `wind`, the drag is that of air at rest");
-  r.number("wrap", b.wrap, "Pa", anyNumber(),
-           "pressure that shrinks the sheet: against its normal, or toward `wrap_to`");
-  r.text("wrap_to", b.wrapTo,
-         "target of wrap; if it can move, it gets the opposite force; none: against the normal",
+  r.number("shrink_wrap", b.shrinkWrap, "Pa", anyNumber(),
+           "pressure that shrinks the sheet: against its normal, or toward `shrink_wrap_to`");
+  r.text("shrink_wrap_to", b.shrinkWrapTo,
+         "target of the shrink-wrap; if it can move, it gets the opposite force; none: against the normal",
          "name of an obstacle, a body, an emitter, an oriented body or another sheet");
-  r.tables("brush", "a local pressure", b.brushes, [&](TableReader& t, SheetBrush& g) {
+  r.tables("pressure_brush", "a local pressure", b.pressureBrushes, [&](TableReader& t, PressureBrush& g) {
     t.vector("centre", g.centre, "m", "centre of the pressure");
     t.number("radius", g.radius, "m", positive(),
              "radius R at which it ends; the profile is (1 - r^2/R^2)^2");
@@ -235,8 +237,9 @@ void readSheet(TableReader& r, SheetBody& b, SceneReading& x) {
   if (b.mass == 0 && b.windDensity > 0)
     r.fail("wind_density", "the air's drag on a sheet without mass has no stable step: expected `mass` > 0",
            {"mass"});
-  if (b.pullReach > 0 && b.pull == 0)
-    r.fail("pull_reach", "needs `pull`: without it nothing acts within this reach", {"pull"});
+  if (b.attractionRange > 0 && b.attraction == 0)
+    r.fail("attraction_range", "needs `attraction`: without it nothing acts within this range",
+           {"attraction"});
   if (b.plasticity > 0 && b.stiffness == 0)
     r.fail("plasticity", "needs `stiffness`: without it a vertex has no rest position", {"stiffness"});
   if (b.plasticity > 0 && !r.has("elastic_limit"))
@@ -245,7 +248,8 @@ void readSheet(TableReader& r, SheetBody& b, SceneReading& x) {
     r.fail("elastic_limit", "has no effect without `plasticity` above 0");
   if (length(b.wind) > 0 && b.windDensity == 0)
     r.fail("wind", "needs `wind_density`: air without mass does not push", {"wind_density"});
-  if (b.pull > 0 && b.pullReach == 0) r.fail("pull_reach", "must be above 0 with `pull`", {"pull"});
+  if (b.attraction > 0 && b.attractionRange == 0)
+    r.fail("attraction_range", "must be above 0 with `attraction`", {"attraction"});
   if (length(b.warpDirection) == 0) r.fail("warp_direction", "must not be zero: expected a direction");
   else if (b.mesh == SheetMesh::Grid && r.has("grid") &&
            std::hypot(b.warpDirection.x, b.warpDirection.y) < warpCosine * length(b.warpDirection))
@@ -254,7 +258,8 @@ void readSheet(TableReader& r, SheetBody& b, SceneReading& x) {
   else if (!(b.warp > 0 || b.weft > 0 || b.shear > 0) && r.has("warp_direction"))
     r.fail("warp_direction", "is for springs along edges: set `warp`, `weft` or `shear`, too",
            {"warp", "weft", "shear"});
-  if (!b.wrapTo.empty() && b.wrap == 0) r.fail("wrap_to", "needs `wrap`: without it nothing acts", {"wrap"});
+  if (!b.shrinkWrapTo.empty() && b.shrinkWrap == 0)
+    r.fail("shrink_wrap_to", "needs `shrink_wrap`: without it nothing acts", {"shrink_wrap"});
   if (b.name.empty()) b.name = "sheet " + std::to_string(x.scene->sheets.size());
 }
 

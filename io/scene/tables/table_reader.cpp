@@ -9,6 +9,7 @@
 
 #include "io/scene/text/checksum.hpp"
 #include "io/scene/text/nearest_word.hpp"
+#include "io/scene/text/renamed_key.hpp"
 #include "io/scene/text/units.hpp"
 #include "io/scene/text/value_text.hpp"
 
@@ -441,10 +442,13 @@ void TableReader::finish() {
     const SourcePlace where = s.path ? SourcePlace{*s.path, static_cast<int>(s.begin.line),
                                                    static_cast<int>(s.begin.column)}
                                      : placeOfNode(node);
+    const std::string renamed = renamedKey(name, known_);
     errors_->push_back({where,
                         fmt::format("unknown key '{}'{}{}", name, path_.empty() ? "" : " in " + path_,
-                                    suggestion(name, known_)),
-                        SceneError::Kind::UnknownKey, path_, placesOfTable(), nearestWord(name, known_)});
+                                    renamed.empty() ? suggestion(name, known_)
+                                                    : fmt::format("; its new name is '{}'", renamed)),
+                        SceneError::Kind::UnknownKey, path_, placesOfTable(),
+                        renamed.empty() ? nearestWord(name, known_) : renamed});
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Growing oriented bodies: births in gaps that anchors open, none in oscillating surfaces, and the energy
+// Growing oriented bodies: births in gaps that constraints open, none in oscillating surfaces, and the energy
 // budget.
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ Scene drawnOverABall() {
   b.density = 5;
   b.cfl = 0.5;
   b.friction = 0;
-  OrientedAnchor rim;
+  OrientedConstraint rim;
   rim.region.kind = ShapeKind::Difference;
   for (const double radius : {0.6, 0.34}) {
     Shape part;
@@ -36,7 +36,7 @@ Scene drawnOverABall() {
     rim.region.parts.push_back(part);
   }
   rim.motion = {{0, {}, {}}, {2, {0, 0, -0.4}, {}}};
-  b.anchors.push_back(rim);
+  b.constraints.push_back(rim);
   test::addFloor(s).shape.kind = ShapeKind::Sphere;
   s.obstacles[0].shape.radius = 0.18;
   s.obstacles[0].friction = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Coupling of oriented bodies with anchors, sheets, the continuum, obstacles and open sides: momentum and
+// Coupling of oriented bodies with constraints, sheets, the continuum, obstacles and open sides: momentum and
 // energy budget.
 #include <gtest/gtest.h>
 
@@ -13,9 +13,9 @@ namespace {
 
 using test::patchScene;
 
-// An anchor constrains to the end of the step in which it is released. The impulse of that step is the
-// anchor's.
-TEST(Oriented, ReleasedAnchorsUnderLoadKeepTheLedgerClosed) {
+// A constraint constrains to the end of the step in which it is released. The impulse of that step is the
+// constraint's.
+TEST(Oriented, ReleasedConstraintsUnderLoadKeepTheLedgerClosed) {
   for (const auto how : {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta,
                          OrientedIntegrator::SemiImplicit}) {
     Scene s = patchScene(0);
@@ -24,12 +24,12 @@ TEST(Oriented, ReleasedAnchorsUnderLoadKeepTheLedgerClosed) {
     b.integrator = how;
     b.damping = 2;
     b.pressure = 3;
-    b.push = {0.5, 0.2, 0};
-    OrientedAnchor edge;
+    b.acceleration = {0.5, 0.2, 0};
+    OrientedConstraint edge;
     edge.region = test::boxOf({-0.3, -0.3, -0.1}, {-0.15, 0.3, 0.1});
     edge.motion = {{0, {}, {}}, {0.04, {0.01, 0, 0.02}, {0.1, 0, 0}}};
     edge.until = 0.05;
-    b.anchors.push_back(edge);
+    b.constraints.push_back(edge);
     test::addFloor(s).shape.move = {0, 0, -0.02};
     s.end = 0.1;
     test::Simulation x(s);
@@ -40,20 +40,20 @@ TEST(Oriented, ReleasedAnchorsUnderLoadKeepTheLedgerClosed) {
   }
 }
 
-// An anchor that turns normals bends the patch. The anchor works through torques only.
-TEST(Oriented, LedgerRecordsWorkOfNormalAnchors) {
+// A constraint that turns normals bends the patch. The constraint works through torques only.
+TEST(Oriented, LedgerRecordsWorkOfNormalConstraints) {
   for (const auto how : {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta}) {
     Scene s = patchScene(0);
     OrientedBody& b = s.oriented[0];
     b.integrator = how;
     b.cfl = 0.1;
     b.facing = false;
-    OrientedAnchor edge;
+    OrientedConstraint edge;
     edge.region = test::boxOf({-0.3, -0.3, -0.1}, {-0.15, 0.3, 0.1});
     edge.position = false;
     edge.normal = true;
     edge.motion = {{0, {}, {}}, {0.2, {}, {0, 0.5, 0}}};
-    b.anchors.push_back(edge);
+    b.constraints.push_back(edge);
     s.end = 0.2;
     test::Simulation x(s);
     ASSERT_TRUE(x.run());

@@ -37,13 +37,13 @@ TEST(OrientedFields, ActInTheirRegionForTheirTime) {
     OrientedField f;
     f.everywhere = false;
     f.region = test::boxOf({0.001, -1, -1}, {1, 1, 1});
-    f.push = {0, 2, 0};
+    f.acceleration = {0, 2, 0};
     f.pressure = 3;
     f.from = 0.1;
     f.until = 0.3;
     s.oriented[0].fields = {f};
     f = {};
-    f.push = {0.5, 0, 0};
+    f.acceleration = {0.5, 0, 0};
     f.inTime.points = {{0, 0}, {0.4, 1}};
     s.oriented[0].fields.push_back(f);
     s.end = 0.4;
@@ -75,12 +75,12 @@ TEST(OrientedFields, GiveTheSameImpulseForAnySteps) {
       b.integrator = how;
       b.velocity = {};
       OrientedField f;
-      f.push = {0.05, 0, 0};
+      f.acceleration = {0.05, 0, 0};
       f.from = 0.0333;
       f.until = 0.2777;
       b.fields = {f};
       f = {};
-      f.push = {0, 0.1, 0};
+      f.acceleration = {0, 0.1, 0};
       f.inTime.points = {{0, 0}, {0.1, 1}, {0.17, 0}};
       b.fields.push_back(f);
       f = {};
@@ -111,7 +111,7 @@ TEST(OrientedFields, GiveTheSameImpulseForAnySteps) {
 TEST(OrientedFields, WithoutParticlesAtTheirStartAreReported) {
   Scene s = looseScene();
   OrientedField f;
-  f.push = {0, 0, 1};
+  f.acceleration = {0, 0, 1};
   f.everywhere = false;
   f.region = test::boxOf({-1, -1, 0.5}, {1, 1, 1});
   s.oriented[0].fields = {f, f, f};
@@ -137,7 +137,7 @@ TEST(OrientedFields, ForceOfAPointIsConservative) {
       b.velocity = {0, 0, 4};
       OrientedField f;
       f.point = {0.03, 0.01, 0};
-      f.pull = pull;
+      f.attraction = pull;
       f.radius = 0.25;
       b.fields = {f};
       s.end = 0.25;

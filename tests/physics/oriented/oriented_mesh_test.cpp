@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Open meshes in a scene: used as they are by an oriented body, closed with a warning by solids, obstacles
-// and anchors.
+// and constraints.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -53,17 +53,17 @@ TEST(OrientedMesh, OpenSurfaceStartsAtRestAndStaysOpen) {
   EXPECT_LT(highest, 1.5 * s.spacing) << "the opening stays open";
 }
 
-TEST(OrientedMesh, ClosedHolesOfObstaclesAndAnchorsAreReported) {
+TEST(OrientedMesh, ClosedHolesOfObstaclesAndConstraintsAreReported) {
   Scene s = test::patchScene(0);
   s.oriented[0].shape.move = {0, 0, 0.2};
-  OrientedAnchor a;
+  OrientedConstraint a;
   a.region = bowlAt({0, 0, 0.25});
-  s.oriented[0].anchors.push_back(a);
+  s.oriented[0].constraints.push_back(a);
   test::addFloor(s).shape = bowlAt({0, 0, -0.3});
   test::Simulation x(s, bowl);
   const std::vector<std::string> reported = reportsOf(x, "1 hole closed (");
   ASSERT_EQ(reported.size(), 2u);
-  EXPECT_EQ(reported[0].rfind("oriented body '" + s.oriented[0].name + "': an anchor: mesh 'bowl.ply'", 0),
+  EXPECT_EQ(reported[0].rfind("oriented body '" + s.oriented[0].name + "': a constraint: mesh 'bowl.ply'", 0),
             0u)
       << reported[0];
   EXPECT_EQ(reported[1].rfind("obstacle 'floor': mesh 'bowl.ply'", 0), 0u) << reported[1];

@@ -25,8 +25,8 @@ std::int64_t interpenetrating(test::Simulation& x) {
   return n;
 }
 
-/// A block of 4 cm falls at 2 m/s on a surface that is fixed at its edge, or (held) everywhere.
-Scene blockOnFilm(bool held) {
+/// A block of 4 cm falls at 2 m/s on a surface that is fixed at its edge, or (fixed) everywhere.
+Scene blockOnFilm(bool fixed) {
   Scene s = test::emptyScene(0.01, {-0.25, -0.25, -0.3}, {0.25, 0.25, 0.3});
   s.domain.gravity = {0, 0, -9.81};
   addElastic(s, 1e5, {-0.017, -0.018, 0.02}, {0.023, 0.022, 0.06}).velocity = {0, 0, -2};
@@ -34,16 +34,16 @@ Scene blockOnFilm(bool held) {
   OrientedBody& b = s.oriented.back();
   b.name = "film";
   b.source = OrientedSource::Patch;
-  b.width = b.depth = held ? 0.12 : 0.24;
-  OrientedAnchor edge;
+  b.width = b.depth = fixed ? 0.12 : 0.24;
+  OrientedConstraint edge;
   edge.region = test::boxOf({-0.5, -0.5, -0.1}, {0.5, 0.5, 0.1});
-  if (!held) {
+  if (!fixed) {
     Shape middle = test::boxOf({-0.11, -0.11, -0.2}, {0.11, 0.11, 0.2}), whole = edge.region;
     edge.region = Shape{};
     edge.region.kind = ShapeKind::Difference;
     edge.region.parts = {whole, middle};
   }
-  b.anchors.push_back(edge);
+  b.constraints.push_back(edge);
   s.end = 0.06;
   return s;
 }
@@ -173,7 +173,7 @@ std::int64_t mostInAPost(double overBarrier, std::int64_t& reported) {
   b.density = 20;
   b.damping = b.spinDamping = 10;
   b.growth = OrientedGrowth::Gaps;
-  OrientedAnchor rim;
+  OrientedConstraint rim;
   rim.region.kind = ShapeKind::Difference;
   for (const double radius : {0.3, 0.15}) {
     Shape part;
@@ -182,7 +182,7 @@ std::int64_t mostInAPost(double overBarrier, std::int64_t& reported) {
     rim.region.parts.push_back(part);
   }
   rim.motion = {{0, {}, {}}, {0.4, {0, 0, -0.2}, {}}};
-  b.anchors.push_back(rim);
+  b.constraints.push_back(rim);
   s.end = 0.3;
   test::Simulation x(s);
   x.tools.oriented.obstacles[0].barrier *= overBarrier;

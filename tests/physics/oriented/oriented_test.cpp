@@ -140,7 +140,7 @@ TEST(Oriented, CutRemovesForcesAndWeldAddsThem) {
   }
   EXPECT_GT(left, 30u);
   OrientedEvent stroke;
-  stroke.tool = CutTool::Stroke;
+  stroke.tool = CutTool::Line;
   stroke.path = {{-0.1, 0, 1}, {0.1, 0, 1}};
   EXPECT_NE(sideOfCut(stroke, nullptr, 0.15, {0, 0.02, 0}), sideOfCut(stroke, nullptr, 0.15, {0, -0.02, 0}));
   EXPECT_EQ(sideOfCut(stroke, nullptr, 0.15, {0.12, 0.02, 0}), 0);
@@ -218,12 +218,12 @@ TEST(Oriented, CurveFollowsALiftedPoint) {  // as in scenes/oriented/curve2d.tom
   b.damping = b.spinDamping = 12;
   b.facing = false;
   for (const Vec3d& at : {Vec3d{-0.6, 0, 0}, Vec3d{0.6, 0, 0}, Vec3d{0, 0, 0.05}}) {
-    OrientedAnchor a;
+    OrientedConstraint a;
     a.region = test::boxOf(at - Vec3d{0.0175, 0.05, 0.1}, at + Vec3d{0.0175, 0.05, 0.1});
-    b.anchors.push_back(a);
+    b.constraints.push_back(a);
   }
-  b.anchors[0].normal = true;
-  b.anchors[2].motion = {{0, {}, {}}, {2, {0, 0, 0.45}, {}}};
+  b.constraints[0].normal = true;
+  b.constraints[2].motion = {{0, {}, {}}, {2, {0, 0, 0.45}, {}}};
   s.end = 3;
   test::Simulation x(s);
   const std::size_t before = x.w.oriented.rows.owned;

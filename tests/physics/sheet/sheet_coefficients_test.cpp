@@ -19,7 +19,7 @@ Scene clothOfAll() {
   Scene s = sheetScene(SheetMesh::Grid);
   SheetBody& b = s.sheets[0];
   b.warp = 30, b.weft = 12, b.shear = 4, b.bending = 2;
-  b.push = 2, b.pull = 1, b.pullReach = 0.1, b.thickness = 0.25;
+  b.repulsion = 2, b.attraction = 1, b.attractionRange = 0.1, b.thickness = 0.25;
   b.stretchLimit = 1.02;
   return s;
 }
@@ -36,7 +36,8 @@ TEST(SheetCoefficients, ForcesAreGradientsOfEnergiesAtAnyTimeAndInRegions) {
     SheetBody& b = s.sheets[0];
     SheetRegion& half = addHalf(b);
     double k = 1;
-    for (const F f : {F::Warp, F::Weft, F::Shear, F::Bending, F::Volume, F::Push, F::Pull, F::Stiffness}) {
+    for (const F f :
+         {F::Warp, F::Weft, F::Shear, F::Bending, F::Volume, F::Repulsion, F::Attraction, F::Stiffness}) {
       half.factor[placeOf(f)] = k += 0.5;
       b.inTime[placeOf(f)].points = {{0, 1}, {1, 1 + k}};
     }
@@ -47,7 +48,7 @@ TEST(SheetCoefficients, ForcesAreGradientsOfEnergiesAtAnyTimeAndInRegions) {
 /// Stretches a strip of two materials and changes one coefficient after another. The ledger records the
 /// energy of the change, and the residual falls with the square of the step.
 TEST(SheetCoefficients, LedgerRecordsWorkOfChanges) {
-  for (const F f : {F::Warp, F::Shear, F::Bending, F::Volume, F::Push, F::Pull, F::Stiffness}) {
+  for (const F f : {F::Warp, F::Shear, F::Bending, F::Volume, F::Repulsion, F::Attraction, F::Stiffness}) {
     double residual[2], scale = 0;
     for (int k = 0; k < 2; k++) {
       Scene s = f == F::Volume ? ball() : clothOfAll();
@@ -55,15 +56,15 @@ TEST(SheetCoefficients, LedgerRecordsWorkOfChanges) {
       b.stiffness = 3;
       b.restLength = 0.97;  // the whole strip is stretched
       b.stretchLimit = never;
-      if (f == F::Volume) b.wrap = 40;
+      if (f == F::Volume) b.shrinkWrap = 40;
       addHalf(b).factor[placeOf(f)] = 2;
       b.inTime[placeOf(f)].points = {{0.05, 1}, {0.2, 3}, {0.3, 0.2}};
-      if (f == F::Push || f == F::Pull) {  // these act between two sheets
+      if (f == F::Repulsion || f == F::Attraction) {  // these act between two sheets
         b.restLength = 1;
         b.contactRate = 1, b.friction = 0, b.restitution = 1;
         s.sheets.push_back(b);
         s.sheets[1].name = "other";
-        s.sheets[1].shape.move = {0.03, 0.02, f == F::Push ? 0.2 : 0.3};
+        s.sheets[1].shape.move = {0.03, 0.02, f == F::Repulsion ? 0.2 : 0.3};
       }
       s.end = 0.4;
       s.numerics.fixedStep = k == 0 ? 4e-4 : 2e-4;
@@ -133,13 +134,13 @@ TEST(SheetCoefficients, FastChangesAreResolved) {
 TEST(SheetCoefficients, WindAndWrapFollowTheirRegionAndTime) {
   Scene s = sheetScene(SheetMesh::Grid);
   SheetBody& b = s.sheets[0];
-  b.wrap = 2;
+  b.shrinkWrap = 2;
   b.windDensity = 1.2;
   b.wind = {0, 0, 1};
   SheetRegion& half = addHalf(b);
-  half.factor[placeOf(F::Wrap)] = -0.5;
+  half.factor[placeOf(F::ShrinkWrap)] = -0.5;
   half.factor[placeOf(F::Wind)] = 3;
-  b.inTime[placeOf(F::Wrap)].points = {{0, 1}, {1, 3}};
+  b.inTime[placeOf(F::ShrinkWrap)].points = {{0, 1}, {1, 3}};
   b.inTime[placeOf(F::Wind)].points = {{0, 0}, {1, 1}};
   test::Simulation sim(s);
   sim.w.clock.time = 0.5;

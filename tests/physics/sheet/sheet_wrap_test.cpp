@@ -12,8 +12,8 @@ Scene clothOver() {
   b.width = b.depth = 0.6;
   b.spacing = 0.05;
   b.shape.move = {0.01, 0.02, 0.3};
-  b.wrap = 20;
-  b.wrapTo = "target";
+  b.shrinkWrap = 20;
+  b.shrinkWrapTo = "target";
   s.end = 0.06;
   s.numerics.retryEvery = 0;
   return s;
@@ -66,8 +66,8 @@ TEST(SheetWrap, PullsTowardAnotherSheet) {
   Scene s = clothOver();
   SheetBody b = s.sheets[0];
   b.name = "target";
-  b.wrap = 0;
-  b.wrapTo.clear();
+  b.shrinkWrap = 0;
+  b.shrinkWrapTo.clear();
   b.shape.move = {};
   b.warp = b.weft = b.shear = 50;
   s.sheets.push_back(b);
@@ -110,8 +110,8 @@ TEST(SheetWrap, MembraneComesToRestAroundABall) {
   b.damping = 40;
   b.warp = b.weft = b.shear = 30;
   b.restLength = 0.5;  // relative to the ball
-  b.wrap = 20;
-  b.wrapTo = "ball";
+  b.shrinkWrap = 20;
+  b.shrinkWrapTo = "ball";
   s.end = 1;
   test::Simulation sim(s);
   ASSERT_TRUE(sim.run());

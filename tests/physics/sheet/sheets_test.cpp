@@ -137,13 +137,13 @@ TEST(Sheets, BrushesActAlongTheirPathInStepsOfAnyLength) {
     std::vector<double> speed[2];
     for (int k = 0; k < 2; k++) {
       Scene s = sheetScene(SheetMesh::Grid);
-      SheetBrush brush;
+      PressureBrush brush;
       brush.centre = {moves ? -2.0 : 0.05, 0.05, 0};
       brush.radius = 0.15;  // for a path of 4 m in 0.1 s and steps of 0.05 s
       brush.pressure = {0, 0, -3};
       if (moves) brush.motion = {{0.1, {}, {}}, {0.2, {4, 0, 0}, {}}};
       else brush.inTime.points = {{0.11, 0}, {0.115, 2}, {0.12, 0}};
-      s.sheets[0].brushes.push_back(brush);
+      s.sheets[0].pressureBrushes.push_back(brush);
       s.end = 0.4;
       s.numerics.fixedStep = k == 0 ? 0.05 : 1e-4;
       s.numerics.retryEvery = 0;
@@ -172,7 +172,7 @@ TEST(Sheets, PlasticityKeepsItsShareOfTheExcess) {
       b.plasticity = plasticity;
       b.elasticLimit = 0.02;
       // 5 cm by the spring alone
-      b.brushes.push_back({{}, {}, 1e6, {0, 0, -5}, {{{0, 0}, {1, 1}, {7, 1}, {7.1, 0}}}, {}});
+      b.pressureBrushes.push_back({{}, {}, 1e6, {0, 0, -5}, {{{0, 0}, {1, 1}, {7, 1}, {7.1, 0}}}, {}});
       s.end = 11;
       s.numerics.fixedStep = dt;
       s.numerics.retryEvery = 0;

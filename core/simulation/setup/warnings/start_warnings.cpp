@@ -154,7 +154,7 @@ std::vector<SceneWarning> bodyTypeStartWarnings(
   for (std::size_t n = 0; n < w.scene.sheets.size(); n++)
     whose.push_back({w.scene.sheets[n].where, "sheet '" + w.scene.sheets[n].name + "'", "vertices",
                      w.sheets.plans[n].thickness,
-                     w.scene.sheets[n].wrap != 0 ? w.scene.sheets[n].wrapTo : ""});
+                     w.scene.sheets[n].shrinkWrap != 0 ? w.scene.sheets[n].shrinkWrapTo : ""});
   warnOfPlaces(w, s, whose, shapes, all, problems, warnings, reported);
   warnOfOthers(s, whose, others, oriented.size(), all, warnings, reported);
   warnOfStartContacts(w, oriented, reported, all, warnings);

@@ -64,12 +64,12 @@ TEST(Emitter, ReleasesParticlesThatHaveLeft) {
     p.id[layer] = particleId(0, layer * plans[0].layer.size() + 5);
     p.clamped[layer] = driven;
   }
-  p.clamped[3] = held;
+  p.clamped[3] = fixedInPlace;
   releaseDriven(s, plans, 1.006, p);
   EXPECT_EQ(p.clamped[0], 0);
   EXPECT_EQ(p.clamped[1], 0);
   EXPECT_EQ(p.clamped[2], driven);
-  EXPECT_EQ(p.clamped[3], held);
+  EXPECT_EQ(p.clamped[3], fixedInPlace);
 }
 
 }  // namespace thaw::test

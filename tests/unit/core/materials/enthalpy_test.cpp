@@ -32,7 +32,7 @@ struct Lump {
     for (AnyColumn* c : p.columns) p.activate(*c);
     p.resize(1, 0);
     p.mass[0] = 2;
-    p.slot[0] = noSlot;
+    p.solidIndex[0] = noSolid;
     p.enthalpy[0] = enthalpyOf(m, T);
     p.temperature[0] = T;
     setPhase(w.scene, w.modules, p, 0, 1);

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/solid/elasticity/slot_state.hpp"
+#include "core/solid/elasticity/solid_state.hpp"
 #include "tests/support/solid_body.hpp"
 
 using namespace thaw;
@@ -44,14 +44,14 @@ TEST(Fracture, BothEndsDecideEquallyAndTheLedgerClosesExactly) {
       moveAll(*b, points, [](const Vec3d& x) { return Vec3d{x.x * (1 + 0.4 * x.x), x.y, x.z}; });
       computeForces(*b);
       double energy = 0, after = 0;
-      for (std::size_t s = 0; s < points.size(); s++) energy += slotEnergy(b->work, b->solids, b->bonds, s);
+      for (std::size_t s = 0; s < points.size(); s++) energy += solidEnergy(b->work, b->solids, b->bonds, s);
       ExactSum jump;
       const std::int64_t broken = breakBonds(b->work, b->solids, b->bonds, b->step, jump);
       EXPECT_GT(broken, 20);
       EXPECT_EQ(before - ends(*b), 2 * broken);
       for (std::size_t i = 0; i < points.size(); i++)
         for (std::size_t j = 0; j < i; j++) EXPECT_EQ(bondsOf(*b, i, j), bondsOf(*b, j, i));
-      for (std::size_t s = 0; s < points.size(); s++) after += slotEnergy(b->work, b->solids, b->bonds, s);
+      for (std::size_t s = 0; s < points.size(); s++) after += solidEnergy(b->work, b->solids, b->bonds, s);
       EXPECT_NEAR(energy - after, jump.value(), 1e-12 * energy);
       // phase 1 was repeated where bonds broke: forces are the derivative of the remaining energy
       computeElasticForces(b->work, b->solids, b->bonds, b->step, SolidPart::Inner);

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/solid/elasticity/slot_state.hpp"
+#include "core/solid/elasticity/solid_state.hpp"
 #include "tests/support/solid_body.hpp"
 
 using namespace thaw;
@@ -13,13 +13,14 @@ TEST(Melting, RemovesBondsAtBothEndsAndRecordsTheirEnergy) {
   const auto points = lattice({6, 5, 5}, 0.1, 0.2);
   const auto b = makeBody(points, {elasticMaterial()});
   Continuum& p = b->particles;
-  for (AnyColumn* c : {static_cast<AnyColumn*>(&p.phase), static_cast<AnyColumn*>(&p.slot)}) p.activate(*c);
+  for (AnyColumn* c : {static_cast<AnyColumn*>(&p.phase), static_cast<AnyColumn*>(&p.solidIndex)})
+    p.activate(*c);
   p.resize(points.size(), 0);
   b->solids.activate(b->solids.melted);
   const Mat3d f{{{1.1, 0.1, 0}, {0, 0.9, 0}, {0.05, 0, 1}}};
   for (std::size_t s = 0; s < points.size(); s++) {
     b->solids.position[s] = f * points[s] + 0.005 * noise3(s, 1);
-    b->solids.particle[s] = p.slot[s] = static_cast<std::uint32_t>(s);
+    b->solids.particle[s] = p.solidIndex[s] = static_cast<std::uint32_t>(s);
     p.phase[s] = s % 7 == 3 ? Liquid : Solid;
   }
   computeForces(*b);

@@ -121,7 +121,7 @@ TEST_F(RunLockOf, OneOfSimultaneousStartsGetsTheFolder) {
       try {
         lock.take({.out = out, .waitTime = 0.2});
       } catch (const IoError&) { ::_exit(1); }
-      [[maybe_unused]] const auto held = ::read(stay[0], &c, 1);
+      [[maybe_unused]] const auto bytesRead = ::read(stay[0], &c, 1);
       lock.release();
       ::_exit(0);
     }

@@ -100,8 +100,8 @@ grid = { width = 0.2, depth = 0.2 }
 mass = 0.2
 damping = 3
 warp = 1
-pull = 1
-pull_reach = 0.1
+attraction = 1
+attraction_range = 0.1
 wind = [1, 0, 0]
 wind_density = 1.2
 place = { move = [0, -0.3, 0.4] }

@@ -7,7 +7,7 @@
 
 #include "core/solid/bonds/bond_entries.hpp"
 #include "core/solid/bonds/bond_graph.hpp"
-#include "core/solid/elasticity/slot_state.hpp"
+#include "core/solid/elasticity/solid_state.hpp"
 #include "tests/support/solid_body.hpp"
 
 using namespace thaw;
@@ -42,7 +42,7 @@ void fillParticles(SolidBody& b, const std::vector<Vec3d>& points) {
   for (std::size_t i = 0; i < points.size(); i++) {
     p.id[i] = i;
     p.position[i] = points[i];
-    p.slot[i] = static_cast<std::uint32_t>(i);
+    p.solidIndex[i] = static_cast<std::uint32_t>(i);
     b.solids.particle[i] = static_cast<std::uint32_t>(i);
   }
 }
@@ -61,7 +61,7 @@ void addBonds(SolidBody& b, const std::vector<BondRequest>& requests) {
                          {bonds.rx[at], bonds.ry[at], bonds.rz[at]},
                          bonds.weight[at]});
     }
-  for (const BondRequest& r : requests) of[r.slot].push_back(r);
+  for (const BondRequest& r : requests) of[r.solidIndex].push_back(r);
   bonds.capacity = 0;
   for (const auto& list : of) bonds.capacity = std::max(bonds.capacity, static_cast<int>(list.size()));
   const std::size_t room = (b.solids.owned + 7) / 8 * 8 * static_cast<std::size_t>(bonds.capacity);
@@ -79,7 +79,7 @@ void addBonds(SolidBody& b, const std::vector<BondRequest>& requests) {
 /// Checks that both ends request the same bond with the same bits.
 void expectSymmetric(const std::vector<BondRequest>& requests) {
   std::map<std::pair<std::uint64_t, std::uint64_t>, BondRequest> all;
-  for (const BondRequest& r : requests) EXPECT_TRUE(all.insert({{r.slot, r.neighbourId}, r}).second);
+  for (const BondRequest& r : requests) EXPECT_TRUE(all.insert({{r.solidIndex, r.neighbourId}, r}).second);
   for (const auto& [ends, r] : all) {
     const auto other = all.find({ends.second, ends.first});
     ASSERT_NE(other, all.end());
@@ -146,13 +146,13 @@ TEST(BondForming, FreezingJoinsWithoutStressJump) {
   formBonds(b->particles, b->solids, b->bonds, allPairs(points.size()), forming(*b, BondRule::Freezing),
             requests);
   expectSymmetric(requests);
-  for (const BondRequest& q : requests) EXPECT_FALSE(old(q.slot) && old(q.neighbourId));
+  for (const BondRequest& q : requests) EXPECT_FALSE(old(q.solidIndex) && old(q.neighbourId));
   addBonds(*b, requests);
   EXPECT_EQ(b->bonds.capacity > 0, true);
   computeForces(*b);
   const double after = totalEnergy(*b);
   double exact = 0;
-  for (std::size_t s = 0; s < points.size(); s++) exact += slotEnergy(b->work, b->solids, b->bonds, s);
+  for (std::size_t s = 0; s < points.size(); s++) exact += solidEnergy(b->work, b->solids, b->bonds, s);
   EXPECT_NEAR(after, exact, 1e-12 * exact);
   for (std::size_t s = 0; s < points.size(); s++)
     EXPECT_LT(largest(b->solids.deformation[s] - (old(s) ? before[s] : identity3<double>())), 1e-10) << s;

@@ -60,7 +60,7 @@ struct Lattice {
     for (std::size_t i = 0; i < points.size(); i++) {
       p.id[i] = 1000 + i;
       p.position[i] = points[i];
-      p.slot[i] = noSlot;
+      p.solidIndex[i] = noSolid;
     }
     rebuildBonds({}, true);
     rebuildBonds(bondsAround(0), false);
@@ -70,8 +70,8 @@ struct Lattice {
     for (std::size_t i = from; i < points.size(); i++)
       for (std::size_t j = 0; j < points.size(); j++) {
         const Vec3d x = points[j] - points[i];
-        if (i != j && p.slot[i] != noSlot && dot(x, x) < 0.16 * 0.16)
-          q.push_back({p.slot[i], p.id[j], x, -x, 1.0 / (1 + dot(x, x))});
+        if (i != j && p.solidIndex[i] != noSolid && dot(x, x) < 0.16 * 0.16)
+          q.push_back({p.solidIndex[i], p.id[j], x, -x, 1.0 / (1 + dot(x, x))});
       }
     return q;
   }
@@ -81,10 +81,10 @@ struct Lattice {
     halo.graph().check({p, s, b});
     return any;
   }
-  std::set<std::uint64_t> bondedTo(std::uint32_t slot) const {
+  std::set<std::uint64_t> bondedTo(std::uint32_t solidIndex) const {
     std::set<std::uint64_t> ids;
     for (int k = 0; k < b.capacity; k++)
-      if (b.hasBond(slot, k)) ids.insert(s.id[b.neighbour[b.at(slot, k)]]);
+      if (b.hasBond(solidIndex, k)) ids.insert(s.id[b.neighbour[b.at(solidIndex, k)]]);
     return ids;
   }
   /// Checks that incremental updates equal a full computation.
@@ -113,43 +113,43 @@ TEST(BondGraph, FollowsMeltingAndFreezing) {
   EXPECT_FALSE(l.rebuildBonds({}, false));
   const std::size_t n = l.points.size();
   l.p.phase[7] = l.p.phase[20] = l.p.phase[59] = Liquid;
-  const std::set<std::uint64_t> before = l.bondedTo(l.p.slot[8]);
+  const std::set<std::uint64_t> before = l.bondedTo(l.p.solidIndex[8]);
   EXPECT_EQ(before.count(1007), 1u);
   EXPECT_TRUE(l.rebuildBonds({}, true));
   EXPECT_EQ(l.s.owned, n - 3);
-  EXPECT_EQ(l.p.slot[7], noSlot);
-  EXPECT_EQ(l.bondedTo(l.p.slot[8]).count(1007), 0u);
-  EXPECT_EQ(l.bondedTo(l.p.slot[8]).size(), before.size() - 1);
+  EXPECT_EQ(l.p.solidIndex[7], noSolid);
+  EXPECT_EQ(l.bondedTo(l.p.solidIndex[8]).count(1007), 0u);
+  EXPECT_EQ(l.bondedTo(l.p.solidIndex[8]).size(), before.size() - 1);
   l.expectFreshWork();
 
   l.p.phase[20] = Solid;
   l.rebuildBonds({}, true);
   EXPECT_EQ(l.s.owned, n - 2);
-  EXPECT_EQ(l.s.volume[l.p.slot[20]], 0);
-  EXPECT_TRUE(l.bondedTo(l.p.slot[20]).empty());
+  EXPECT_EQ(l.s.volume[l.p.solidIndex[20]], 0);
+  EXPECT_TRUE(l.bondedTo(l.p.solidIndex[20]).empty());
   l.expectFreshWork();
-  l.rebuildBonds({{l.p.slot[20], 1021, {0.1, 0, 0}, {-0.1, 0, 0}, 2},
-                  {l.p.slot[21], 1020, {-0.1, 0, 0}, {0.1, 0, 0}, 2},
-                  {l.p.slot[20], 1007, {1, 0, 0}, {}, 3}},
+  l.rebuildBonds({{l.p.solidIndex[20], 1021, {0.1, 0, 0}, {-0.1, 0, 0}, 2},
+                  {l.p.solidIndex[21], 1020, {-0.1, 0, 0}, {0.1, 0, 0}, 2},
+                  {l.p.solidIndex[20], 1007, {1, 0, 0}, {}, 3}},
                  false);
-  EXPECT_EQ(l.bondedTo(l.p.slot[20]), std::set<std::uint64_t>{1021});  // 7 is liquid
-  EXPECT_EQ(l.bondedTo(l.p.slot[21]).count(1020), 1u);
+  EXPECT_EQ(l.bondedTo(l.p.solidIndex[20]), std::set<std::uint64_t>{1021});  // 7 is liquid
+  EXPECT_EQ(l.bondedTo(l.p.solidIndex[21]).count(1020), 1u);
   l.expectFreshWork();
 }
 
 TEST(BondGraph, BrokenBondsAreRemoved) {
   Lattice l;
-  const std::uint32_t slot = l.p.slot[30];
-  const std::size_t at = l.b.at(slot, 2);
+  const std::uint32_t solidIndex = l.p.solidIndex[30];
+  const std::size_t at = l.b.at(solidIndex, 2);
   const std::uint32_t other = l.b.neighbour[at];
   for (int k = 0; k < l.b.capacity; k++)
-    if (l.b.hasBond(other, k) && l.b.neighbour[l.b.at(other, k)] == slot) l.b.cut(other, k);
-  const std::uint32_t next = l.b.neighbour[l.b.at(slot, 3)];
-  l.b.cut(slot, 2);
+    if (l.b.hasBond(other, k) && l.b.neighbour[l.b.at(other, k)] == solidIndex) l.b.cut(other, k);
+  const std::uint32_t next = l.b.neighbour[l.b.at(solidIndex, 3)];
+  l.b.cut(solidIndex, 2);
   EXPECT_TRUE(l.rebuildBonds({}, false));
   EXPECT_FALSE(l.b.broken);
   EXPECT_EQ(l.b.neighbour[at], next);  // the order of the others is kept
-  EXPECT_EQ(l.bondedTo(slot).count(l.s.id[other]), 0u);
+  EXPECT_EQ(l.bondedTo(solidIndex).count(l.s.id[other]), 0u);
   EXPECT_EQ(l.bondedTo(other).count(1030), 0u);
   l.expectFreshWork();
 }
@@ -160,12 +160,12 @@ TEST(BondGraph, GrowsWithTheNumberOfBonds) {
   for (std::size_t j = 0; j < l.points.size(); j++)
     if (j != 5) {
       const Vec3d x = l.points[j] - l.points[5];
-      q.push_back({l.p.slot[5], l.p.id[j], x, -x, 1});
-      q.push_back({l.p.slot[j], l.p.id[5], -x, x, 1});
+      q.push_back({l.p.solidIndex[5], l.p.id[j], x, -x, 1});
+      q.push_back({l.p.solidIndex[j], l.p.id[5], -x, x, 1});
     }
   l.rebuildBonds(q, false);
-  EXPECT_EQ(l.bondedTo(l.p.slot[5]).size(), l.points.size() - 1);
-  EXPECT_EQ(l.bondedTo(l.p.slot[6]).count(1005), 1u);
+  EXPECT_EQ(l.bondedTo(l.p.solidIndex[5]).size(), l.points.size() - 1);
+  EXPECT_EQ(l.bondedTo(l.p.solidIndex[6]).count(1005), 1u);
   l.expectFreshWork();
 }
 
@@ -174,9 +174,9 @@ TEST(BondGraph, RestoresAllBondsFromRecords) {
   SolidRecords records;
   std::vector<std::set<std::uint64_t>> before;
   for (std::size_t i = 0; i < l.points.size(); i++) {
-    l.s.volume[l.p.slot[i]] = 3.0 + static_cast<double>(i);
-    appendRecord(l.s, l.b, l.p.slot[i], records);
-    before.push_back(l.bondedTo(l.p.slot[i]));
+    l.s.volume[l.p.solidIndex[i]] = 3.0 + static_cast<double>(i);
+    appendRecord(l.s, l.b, l.p.solidIndex[i], records);
+    before.push_back(l.bondedTo(l.p.solidIndex[i]));
     l.p.phase[i] = Liquid;
   }
   l.rebuildBonds({}, true);
@@ -186,8 +186,8 @@ TEST(BondGraph, RestoresAllBondsFromRecords) {
   l.halo.adopt(std::move(records.bytes));
   EXPECT_TRUE(l.rebuildBonds({}, false));
   for (std::size_t i = 0; i < l.points.size(); i++) {
-    EXPECT_EQ(l.bondedTo(l.p.slot[i]), before[i]);
-    EXPECT_EQ(l.s.volume[l.p.slot[i]], 3.0 + static_cast<double>(i));
+    EXPECT_EQ(l.bondedTo(l.p.solidIndex[i]), before[i]);
+    EXPECT_EQ(l.s.volume[l.p.solidIndex[i]], 3.0 + static_cast<double>(i));
   }
   l.expectFreshWork();
 }

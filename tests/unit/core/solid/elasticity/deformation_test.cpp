@@ -7,7 +7,7 @@
 
 #include "core/solid/elasticity/elastic_kernels.hpp"
 #include "core/solid/elasticity/moment.hpp"
-#include "core/solid/elasticity/slot_state.hpp"
+#include "core/solid/elasticity/solid_state.hpp"
 #include "tests/support/solid_body.hpp"
 
 using namespace thaw;
@@ -236,8 +236,8 @@ TEST(Deformation, ShortcutAtTheReferenceHasTheSameBits) {
     computeForces(*b);
     ASSERT_TRUE(atReference(b->solids));
     for (std::size_t s = 0; s < b->solids.owned; s++) {
-      const SlotStrain bonds = slotStrain(b->work, b->solids, b->bonds, s),
-                       none = slotStrainAtReference(b->work, b->solids, b->bonds, s);
+      const SolidStrain bonds = solidStrain(b->work, b->solids, b->bonds, s),
+                        none = solidStrainAtReference(b->work, b->solids, b->bonds, s);
       EXPECT_EQ(std::memcmp(&bonds, &none, sizeof bonds), 0) << s;
     }
     b->solids.position[7].x += 1e-9;

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "core/solid/elasticity/reference_kernels.hpp"
-#include "core/solid/elasticity/slot_state.hpp"
+#include "core/solid/elasticity/solid_state.hpp"
 #include "tests/support/solid_body.hpp"
 
 namespace thaw::test {
@@ -24,7 +24,7 @@ Kept keptOf(const SolidBody& b, std::size_t s) {
 
 /// Number of solids whose data differ between these kernels and one solid at a time.
 std::size_t differing(SolidBody& b, const char* kernels) {
-  for (std::size_t s = 0; s < b.solids.owned; s++) refreshSlot(b.work, b.solids, b.bonds, s);
+  for (std::size_t s = 0; s < b.solids.owned; s++) refreshSolid(b.work, b.solids, b.bonds, s);
   std::vector<Kept> alone;
   for (std::size_t s = 0; s < b.solids.owned; s++) alone.push_back(keptOf(b, s));
   b.work.referenceKernels = referenceKernels(kernels);

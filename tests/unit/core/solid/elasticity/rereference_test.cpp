@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/solid/elasticity/slot_state.hpp"
+#include "core/solid/elasticity/solid_state.hpp"
 #include "core/solid/laws/plasticity.hpp"
 #include "tests/support/solid_body.hpp"
 

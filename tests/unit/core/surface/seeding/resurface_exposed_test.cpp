@@ -67,7 +67,7 @@ struct TornBar : SurfaceWorld {
       for (std::size_t j = 0; j < p.owned; j++)
         if (side[p.id[i]] != side[p.id[j]] &&
             length(p.position[i] - p.position[j]) < w.scene.numerics.bondSupport * w.scene.spacing)
-          w.solids.exposed[p.slot[i]] = 1;
+          w.solids.exposed[p.solidIndex[i]] = 1;
   }
   std::vector<char> side;
 };

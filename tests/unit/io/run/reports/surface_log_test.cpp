@@ -74,29 +74,29 @@ TEST_F(Log, ReportsTheWorstVolumeOfTheRemainingFrames) {
     addToComponentLog(out, w.surface, w.clock);
     if (k < 2) recordVolumes(noted, w.surface.components, w.clock.time);
   }
-  const VolumeErrors held = truncateComponentLog(out, 10);
-  ASSERT_TRUE(held.any);
-  EXPECT_EQ(held.againstParticles.off, noted.againstParticles.off);  // the same bits as in an uninterrupted
-                                                                     // run
-  EXPECT_EQ(held.againstTarget.off, noted.againstTarget.off);
-  EXPECT_NEAR(held.againstParticles.off, -0.03, 1e-12);
-  EXPECT_EQ(held.againstParticles.time, 0.1);
-  EXPECT_NEAR(held.againstTarget.off, 2.008 / 1.96 - 1, 1e-12);
-  EXPECT_EQ(held.againstTarget.label, 7u);
-  EXPECT_EQ(held.againstTarget.time, 0);
-  EXPECT_EQ(held.small.off, noted.small.off);
-  EXPECT_NEAR(held.small.off, -0.3, 1e-12);
-  EXPECT_EQ(held.small.label, 9u);
-  EXPECT_EQ(held.sum.off(), noted.sum.off());
-  EXPECT_NEAR(held.sum.off(), (1.94 + 1.4 + 1.005) / 4.96 - 1, 1e-12);
-  EXPECT_EQ(held.sum.time, 0.1);
-  EXPECT_EQ(held.missing.missed, 429);
-  EXPECT_EQ(held.missed, 829);  // 400 at the first frame
-  EXPECT_EQ(held.particles, 866);
-  EXPECT_EQ(held.open.off, 0.008);  // a component of 29 particles does not count
-  EXPECT_EQ(held.open.label, 7u);
-  EXPECT_EQ(held.unsure, 0);
-  const std::vector<std::string> lines = volumeErrorLines(held);
+  const VolumeErrors errors = truncateComponentLog(out, 10);
+  ASSERT_TRUE(errors.any);
+  EXPECT_EQ(errors.againstParticles.off, noted.againstParticles.off);  // the same bits as in an uninterrupted
+                                                                       // run
+  EXPECT_EQ(errors.againstTarget.off, noted.againstTarget.off);
+  EXPECT_NEAR(errors.againstParticles.off, -0.03, 1e-12);
+  EXPECT_EQ(errors.againstParticles.time, 0.1);
+  EXPECT_NEAR(errors.againstTarget.off, 2.008 / 1.96 - 1, 1e-12);
+  EXPECT_EQ(errors.againstTarget.label, 7u);
+  EXPECT_EQ(errors.againstTarget.time, 0);
+  EXPECT_EQ(errors.small.off, noted.small.off);
+  EXPECT_NEAR(errors.small.off, -0.3, 1e-12);
+  EXPECT_EQ(errors.small.label, 9u);
+  EXPECT_EQ(errors.sum.off(), noted.sum.off());
+  EXPECT_NEAR(errors.sum.off(), (1.94 + 1.4 + 1.005) / 4.96 - 1, 1e-12);
+  EXPECT_EQ(errors.sum.time, 0.1);
+  EXPECT_EQ(errors.missing.missed, 429);
+  EXPECT_EQ(errors.missed, 829);  // 400 at the first frame
+  EXPECT_EQ(errors.particles, 866);
+  EXPECT_EQ(errors.open.off, 0.008);  // a component of 29 particles does not count
+  EXPECT_EQ(errors.open.label, 7u);
+  EXPECT_EQ(errors.unsure, 0);
+  const std::vector<std::string> lines = volumeErrorLines(errors);
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_NE(lines[0].find("the sum at most -12.40 % off the target (t 0.1 s); 95.7 % of the particles are "
                           "in components more than 1 % off (99.1 % in the worst frame, t 0.1 s)"),
@@ -109,16 +109,16 @@ TEST_F(Log, ReportsTheWorstVolumeOfTheRemainingFrames) {
   EXPECT_NE(lines[2].find("of 5 to 29 particles: at most -30.00 % (component 9 of 29 particles, t 0.1 s)"),
             std::string::npos)
       << lines[2];
-  EXPECT_NE(volumeErrorWarning(held).find("One component was +2.4 % off (component 7"), std::string::npos)
-      << volumeErrorWarning(held);
+  EXPECT_NE(volumeErrorWarning(errors).find("One component was +2.4 % off (component 7"), std::string::npos)
+      << volumeErrorWarning(errors);
 }
 
 TEST(VolumeErrors, WarnsAboutSmallComponentsAndTheSum) {
   const auto warning = [](std::vector<SurfaceComponent> components) {
     for (SurfaceComponent& c : components) c.wantedVolume = c.particleVolume;
-    VolumeErrors held;
-    recordVolumes(held, components, 0);
-    return volumeErrorWarning(held);
+    VolumeErrors errors;
+    recordVolumes(errors, components, 0);
+    return volumeErrorWarning(errors);
   };
   const SurfaceComponent body{7, 10000, 900, 1, 100, 100.5, 4, {}};
   EXPECT_EQ(warning({body}), "");
@@ -138,28 +138,28 @@ TEST(VolumeErrors, WarnsAboutOpenSurfaces) {
   SurfaceComponent body{7, 100, 900, 1, 1, 1, 4, {}}, sure{9, 300, 900, 1, 3, 3, 4, {}};
   body.wantedVolume = 1, body.open = 0.03;
   sure.wantedVolume = 3, sure.open = 0.002;
-  VolumeErrors held;
-  recordVolumes(held, {body, sure}, 0.5);
-  EXPECT_EQ(held.unsure, 100);
-  const std::vector<std::string> lines = volumeErrorLines(held);
+  VolumeErrors errors;
+  recordVolumes(errors, {body, sure}, 0.5);
+  EXPECT_EQ(errors.unsure, 100);
+  const std::vector<std::string> lines = volumeErrorLines(errors);
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_NE(lines[2].find("25 % of the particles are in components of 30 and more whose surface is open by "
                           "more than 1 % of its area (at most 3 %: component 7 of 100 particles, t 0.5 s)"),
             std::string::npos)
       << lines[2];
-  EXPECT_EQ(volumeErrorWarning(held), "");
+  EXPECT_EQ(volumeErrorWarning(errors), "");
 }
 
 TEST_F(Log, KeepsLinesOfEarlierVersions) {
   std::ofstream(componentLogPath(out))
       << "an older head\n0,0,0,5,40,30,1,2,2.1,4,1,2,3\n1,5,0.1,5,40,30,1,2,2,4,1,2,3\n";
-  const VolumeErrors held = truncateComponentLog(out, 0);
+  const VolumeErrors errors = truncateComponentLog(out, 0);
   EXPECT_NE(text(componentLogPath(out)).find("wanted_volume_m3,open\n0,0,0,5,40,30,1,2,2.1,4,1,2,3,,\n"),
             std::string::npos)
       << text(componentLogPath(out));
-  EXPECT_NEAR(held.againstParticles.off, 0.05, 1e-12);
-  EXPECT_NEAR(held.sum.off(), 0.05, 1e-12);
-  EXPECT_EQ(held.againstTarget.label, noComponent);
+  EXPECT_NEAR(errors.againstParticles.off, 0.05, 1e-12);
+  EXPECT_NEAR(errors.sum.off(), 0.05, 1e-12);
+  EXPECT_EQ(errors.againstTarget.label, noComponent);
   const std::string once = text(componentLogPath(out));
   truncateComponentLog(out, 0);
   EXPECT_EQ(text(componentLogPath(out)), once);

@@ -60,9 +60,9 @@ void addSheets(Scene& s) {
     b.wrapTo = "NAME";
     b.clamp.resize(1);
     b.regions.resize(1);
-    b.brushes.resize(1);
-    b.brushes[0].motion.resize(1);
-    b.brushes[0].inTime.points = {{0, 1}};
+    b.pressureBrushes.resize(1);
+    b.pressureBrushes[0].motion.resize(1);
+    b.pressureBrushes[0].inTime.points = {{0, 1}};
     for (FactorInTime& f : b.inTime) f.points = {{0, 1}};
   }
 }
@@ -74,15 +74,15 @@ void addOriented(Scene& s) {
     OrientedBody& b = s.oriented.emplace_back();
     b.source = source;
     b.points = b.normals = {{0, 0, 1}};
-    b.anchors.resize(1);
-    b.anchors[0].motion.resize(1);
+    b.constraints.resize(1);
+    b.constraints[0].motion.resize(1);
     b.fields.resize(1);
     b.fields[0].everywhere = false;
     b.fields[0].inTime.points = {{0, 1}};
-    for (const auto& [kind, tool] : {std::pair{OrientedEventKind::Cut, CutTool::Plane},
-                                     std::pair{OrientedEventKind::Cut, CutTool::Stroke},
-                                     std::pair{OrientedEventKind::Crease, CutTool::Plane},
-                                     std::pair{OrientedEventKind::Smooth, CutTool::Box}}) {
+    for (const auto& [kind, tool] :
+         {std::pair{OrientedEventKind::Cut, CutTool::Plane}, std::pair{OrientedEventKind::Cut, CutTool::Line},
+          std::pair{OrientedEventKind::Crease, CutTool::Plane},
+          std::pair{OrientedEventKind::Smooth, CutTool::Box}}) {
       OrientedEvent& e = b.events.emplace_back();
       e.kind = kind;
       e.tool = tool;

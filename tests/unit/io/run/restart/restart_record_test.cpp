@@ -61,7 +61,7 @@ TEST(RestartRecord, BodyTypeCoefficientsMayChangeAndAreReported) {
   const CheckpointValues then = restartRecordOf(s);
   EXPECT_TRUE(coefficientChanges(then, s).empty());
   s.sheets[0].warp = 7;
-  s.sheets[0].brushes.emplace_back();
+  s.sheets[0].pressureBrushes.emplace_back();
   s.oriented[0].circle = 2;
   EXPECT_TRUE(restartConflicts(then, s).empty());
   const std::vector<std::string> changes = coefficientChanges(then, s);
@@ -76,7 +76,7 @@ TEST(RestartRecord, SourcesOfOrientedBodiesMayNotChange) {
   Scene s = sample();
   s.oriented.emplace_back().name = "film";
   s.oriented[0].source = OrientedSource::Patch;
-  s.oriented[0].anchors.emplace_back();
+  s.oriented[0].constraints.emplace_back();
   s.oriented.emplace_back().name = "net";
   s.oriented[1].source = OrientedSource::Points;
   s.oriented[1].points = {{0, 0, 0}, {1, 0, 0}};
@@ -92,8 +92,8 @@ TEST(RestartRecord, SourcesOfOrientedBodiesMayNotChange) {
   EXPECT_TRUE(refused([](OrientedBody& b) { b.density = 2; }));  // existing particles keep their density
   EXPECT_TRUE(refused([](OrientedBody& b) { b.points[1].z = 1; }, 1));
   EXPECT_TRUE(refused([](OrientedBody& b) { b.shape.move.x = 1; }));
-  EXPECT_TRUE(refused([](OrientedBody& b) { b.anchors[0].region.move.x = 1; }));
-  EXPECT_TRUE(refused([](OrientedBody& b) { b.anchors[0].normal = true; }));
+  EXPECT_TRUE(refused([](OrientedBody& b) { b.constraints[0].region.move.x = 1; }));
+  EXPECT_TRUE(refused([](OrientedBody& b) { b.constraints[0].normal = true; }));
 }
 
 TEST(RestartRecord, AreReportedInTheWordsOfTheScene) {
@@ -153,12 +153,12 @@ TEST(RestartRecord, ClampsMayNotChange) {
   Scene let = s;
   let.sheets[0].clamp.clear();
   EXPECT_FALSE(restartConflicts(then, let).empty());
-  Scene held = s;
-  held.bodies[0].clamp.emplace_back();
-  EXPECT_FALSE(restartConflicts(then, held).empty());
-  EXPECT_FALSE(restartConflicts(restartRecordOf(held), s).empty());
-  held.bodies[0].clamp[0].move.z = 1;
-  EXPECT_TRUE(initialStateChanges(restartRecordOf(held), held).empty());
+  Scene clamped = s;
+  clamped.bodies[0].clamp.emplace_back();
+  EXPECT_FALSE(restartConflicts(then, clamped).empty());
+  EXPECT_FALSE(restartConflicts(restartRecordOf(clamped), s).empty());
+  clamped.bodies[0].clamp[0].move.z = 1;
+  EXPECT_TRUE(initialStateChanges(restartRecordOf(clamped), clamped).empty());
 }
 
 TEST(RestartRecord, SurfaceSettingsAreReported) {
@@ -178,7 +178,7 @@ TEST(RestartRecord, ChoicesAreReportedByTheirWords) {
   s.surface.on = true;
   s.sheets.emplace_back().name = "cloth";
   s.oriented.emplace_back().name = "film";
-  s.oriented[0].anchors.emplace_back();
+  s.oriented[0].constraints.emplace_back();
   s.oriented[0].events.emplace_back().kind = OrientedEventKind::Weld;
   s.oriented[0].fields.emplace_back();
   const CheckpointValues then = restartRecordOf(s);
@@ -188,19 +188,20 @@ TEST(RestartRecord, ChoicesAreReportedByTheirWords) {
   other.emitters[0].material = 1;
   other.sheets[0].mesh = SheetMesh::Sphere;
   other.oriented[0].source = OrientedSource::Disc;
-  other.oriented[0].anchors[0].normal = true;
+  other.oriented[0].constraints[0].normal = true;
   std::swap(other.materials[0], other.materials[1]);
-  EXPECT_EQ(restartConflicts(then, other),
-            (std::vector<std::string>{
-                "body.bust.material: \"wax\" -> \"oil\"", "domain.sides.x: not periodic -> periodic",
-                // The tap's material keeps its name and has another place.
-                "material.oil: 1 -> 0 (place in the list)", "material.wax: 0 -> 1 (place in the list)",
-                "numerics.heat: \"enthalpy\" -> \"paper\"", "oriented.film.anchor.0.normal: false -> true",
-                "oriented.film.box.size is not in the scene any more",
-                "sheet.cloth.grid.depth is not in the scene any more",
-                "sheet.cloth.grid.width is not in the scene any more",
-                "oriented.film.disc.radius was not in the scene then",
-                "sheet.cloth.sphere.radius was not in the scene then"}));
+  EXPECT_EQ(
+      restartConflicts(then, other),
+      (std::vector<std::string>{
+          "body.bust.material: \"wax\" -> \"oil\"", "domain.sides.x: not periodic -> periodic",
+          // The tap's material keeps its name and has another place.
+          "material.oil: 1 -> 0 (place in the list)", "material.wax: 0 -> 1 (place in the list)",
+          "numerics.heat: \"enthalpy\" -> \"paper\"", "oriented.film.constraint.0.normal: false -> true",
+          "oriented.film.box.size is not in the scene any more",
+          "sheet.cloth.grid.depth is not in the scene any more",
+          "sheet.cloth.grid.width is not in the scene any more",
+          "oriented.film.disc.radius was not in the scene then",
+          "sheet.cloth.sphere.radius was not in the scene then"}));
   other = s;
   other.surface.merge = MergeRule::None;
   other.surface.smoothing = SmoothingForm::Plane;
@@ -297,7 +298,7 @@ TEST(RestartRecord, MeshesAreComparedByContent) {
 TEST(RestartRecord, ExternalActionsAreReported) {
   Scene s = sample();
   s.sheets.emplace_back().name = "cloth";
-  s.sheets[0].brushes.emplace_back();
+  s.sheets[0].pressureBrushes.emplace_back();
   s.oriented.emplace_back().name = "film";
   s.oriented[0].fields.emplace_back().everywhere = false;
   s.oriented[0].fields[0].region.kind = ShapeKind::Sphere;
@@ -311,7 +312,10 @@ TEST(RestartRecord, ExternalActionsAreReported) {
   };
   EXPECT_EQ(reported([](Scene&) {}), 0u);
   EXPECT_EQ(reported([](Scene& o) { o.sheets[0].wrapTo = "pan"; }), 1u);
-  EXPECT_EQ(reported([](Scene& o) { o.sheets[0].brushes[0].motion.push_back({1, {1, 0, 0}, {}}); }), 2u);
+  EXPECT_EQ(reported([](Scene& o) {
+              o.sheets[0].pressureBrushes[0].motion.push_back({1, {1, 0, 0}, {}});
+            }),
+            2u);
   EXPECT_EQ(reported([](Scene& o) { o.oriented[0].cfl = 1; }), 1u);
   EXPECT_EQ(reported([](Scene& o) { o.oriented[0].fields[0].radius = 7; }), 1u);  // its region has a radius
                                                                                   // as well

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/halo/serial.hpp"
-#include "core/oriented/forces/anchors.hpp"
+#include "core/oriented/forces/constraints.hpp"
 #include "core/oriented/prepare_oriented.hpp"
 #include "core/sheet/prepare_sheets.hpp"
 #include "core/terms/find_modules.hpp"
@@ -12,7 +12,7 @@
 namespace thaw {
 namespace {
 
-/// A sheet of nine vertices and an oriented particle with an anchor, as in a checkpoint.
+/// A sheet of nine vertices and an oriented particle with a constraint, as in a checkpoint.
 struct Restored {
   World w;
   SerialReducer all;
@@ -23,7 +23,7 @@ struct Restored {
     cloth.width = cloth.depth = 0.2;
     OrientedBody& net = w.scene.oriented.emplace_back();
     net.name = "net";
-    net.anchors.resize(1);
+    net.constraints.resize(1);
     net.events.resize(1);
     net.events[0].time = 1;
     w.modules = modulesOf(w.scene);
@@ -34,7 +34,7 @@ struct Restored {
     s.resize(9, 0);
     for (std::size_t i = 0; i < 9; i++) s.id[i] = i;
     w.oriented.rows.resize(1, 0);
-    w.oriented.rows.anchor[0] = 0;
+    w.oriented.rows.constraint[0] = 0;
     w.oriented.rows.flags[0] = fixedPosition;
   }
   std::size_t strange() { return checkpointMismatches(w, all).size(); }
@@ -60,14 +60,15 @@ TEST(RestartValidation, CountsVerticesBeyondTheMesh) {
   EXPECT_EQ(r.strange(), 0u);
 }
 
-TEST(RestartValidation, CountsMissingAnchorsAndBodies) {
+TEST(RestartValidation, CountsMissingConstraintsAndBodies) {
   Restored r;
-  r.w.oriented.rows.anchor[0] = 1;
+  r.w.oriented.rows.constraint[0] = 1;
   EXPECT_EQ(r.strange(), 1u);
-  r.w.oriented.rows.flags[0] = 0;  // as for newborn particles: no anchor holds it, whatever the column has
+  r.w.oriented.rows.flags[0] = 0;  // as for newborn particles: no constraint holds it, whatever the column
+                                   // has
   EXPECT_EQ(r.strange(), 0u);
   r.w.oriented.rows.flags[0] = fixedPosition;
-  r.w.oriented.rows.anchor[0] = noAnchor;
+  r.w.oriented.rows.constraint[0] = noConstraint;
   EXPECT_EQ(r.strange(), 0u);
   r.w.oriented.rows.body[0] = 1;
   EXPECT_EQ(r.strange(), 1u);

@@ -20,6 +20,24 @@ std::string errorOf(const std::string& text) {
   return "";
 }
 
+TEST(BadBodyTypes, FormerKeysAreRefusedWithTheirNewNames) {
+  const struct {
+    std::string text, key, name;
+  } table[] = {{cloth + "wrap = 1\n", "wrap", "shrink_wrap"},
+               {cloth + "wrap_in_time = [[0, 1], [1, 2]]\n", "wrap_in_time", "shrink_wrap_in_time"},
+               {cloth + "[[sheet.brush]]\n", "brush", "pressure_brush"},
+               {cloth + "push = 1\n", "push", "repulsion"},
+               {cloth + "pull_reach = 1\n", "pull_reach", "attraction_range"},
+               {patch + "push = [0, 0, 1]\n", "push", "acceleration"},
+               {patch + "[[oriented.anchor]]\n", "anchor", "constraint"},
+               {patch + "[[oriented.event]]\nkind = \"cut\"\nstroke = [[0, 0, 0]]\n", "stroke", "line"}};
+  for (const auto& [text, key, name] : table) {
+    const std::string said = errorOf(text);
+    EXPECT_NE(said.find("unknown key '" + key + "'"), std::string::npos) << said;
+    EXPECT_NE(said.find("; its new name is '" + name + "'"), std::string::npos) << said;
+  }
+}
+
 TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
   const struct {
     std::string text, line;
@@ -31,15 +49,15 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
       {"[[oriented]]\ncurve = { from = [0, 0, 0], to = [0.5, 0, 0] }\nplace = { move = [0, 0, 0.5] }\n",
        "s.toml:8:9: error: oriented.0.place: is for shapes, `patch` and `disc` only: the others have "
        "their own positions"},
-      {patch + "[[oriented.anchor]]\nsphere = { radius = 0.1 }\nposition = false\n",
-       "s.toml:9:1: error: oriented.a.anchor.0: has no effect: set `position = true`, `normal = true`, "
+      {patch + "[[oriented.constraint]]\nsphere = { radius = 0.1 }\nposition = false\n",
+       "s.toml:9:1: error: oriented.a.constraint.0: has no effect: set `position = true`, `normal = true`, "
        "or both"},
       {patch + "[[oriented.event]]\nkind = \"weld\"\nother = \"a\"\n",
        "s.toml:9:1: error: oriented body 'a': it cannot be welded to itself: expected the name of another "
        "oriented body"},
-      {patch + "[[oriented.event]]\nkind = \"cut\"\nplane = { point = [0, 0, 0] }\nstroke = [[0, 0, 0], "
+      {patch + "[[oriented.event]]\nkind = \"cut\"\nplane = { point = [0, 0, 0] }\nline = [[0, 0, 0], "
                "[0.1, 0, 0]]\n",
-       "s.toml:12:10: error: oriented.a.event.0.stroke: a second tool; expected one of `plane`, `stroke` and "
+       "s.toml:12:10: error: oriented.a.event.0.line: a second tool; expected one of `plane`, `line` and "
        "a shape: use one cut for each tool"},
       {patch + "[[oriented.event]]\nkind = \"crease\"\nalong = [[0, 0, 0], [0.1, 0, 0]]\nplane = { point = "
                "[0, 0, 0] }\n",
@@ -51,15 +69,16 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
        "s.toml:8:1: error: sheet.0.clamp.0: has no shape; expected one of mesh, box, sphere, cylinder, "
        "torus, "
        "glass, plane, union, difference or intersection"},
-      {cloth + "[[sheet.brush]]\nradius = 0.1\n",
-       "s.toml:8:1: error: sheet.0.brush.0.pressure: is missing or zero: expected a pressure [x, y, z]"},
+      {cloth + "[[sheet.pressure_brush]]\nradius = 0.1\n",
+       "s.toml:8:1: error: sheet.0.pressure_brush.0.pressure: is missing or zero: expected a pressure [x, y, "
+       "z]"},
       {patch + "[[oriented.event]]\nkind = \"cut\"\nmesh = \"cube.obj\"\n",
        "s.toml:9:1: error: oriented.a.event.0: the region of an event cannot be a mesh file: expected a "
        "shape, \"builtin:bust\" or \"builtin:head\""},
-      {patch + "[[oriented.event]]\nkind = \"cut\"\nstroke = [[0, 0, 0], [0, 0, 0.1], [0, 0, "
+      {patch + "[[oriented.event]]\nkind = \"cut\"\nline = [[0, 0, 0], [0, 0, 0.1], [0, 0, "
                "0.3]]\ndirection = [0, 0, 2]\n",
-       "s.toml:11:10: error: oriented.a.event.0.stroke: is parallel to its `direction` and defines no plane: "
-       "expected a direction across the stroke"},
+       "s.toml:11:10: error: oriented.a.event.0.line: is parallel to its `direction` and defines no plane: "
+       "expected a direction across the line"},
       {patch + "[[oriented]]\npatch = { width = 0.5, depth = 0.5 }\nintegrator = \"rk4\"\n",
        "s.toml:11:14: error: oriented.1.integrator: differs from that of the first oriented body, which sets "
        "it for all: expected the same, or none"},
@@ -73,9 +92,9 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
       {patch + "sphere = { radius = 0.2 }\n",
        "s.toml:9:10: error: oriented.a.sphere: a second source of particles; expected one"},
       {patch + "[[oriented.event]]\nkind = \"cut\"\nplane = { point = [0, 0, 0] }\nradius = 0.1\n",
-       "s.toml:12:10: error: oriented.a.event.0.radius: is for a crease and the cut by a stroke only"},
+       "s.toml:12:10: error: oriented.a.event.0.radius: is for a crease and the cut along a line only"},
       {patch + "[[oriented.event]]\nkind = \"cut\"\nsphere = { radius = 0.1 }\ndirection = [0, 0, 1]\n",
-       "s.toml:12:13: error: oriented.a.event.0.direction: is for the cut by a stroke only"},
+       "s.toml:12:13: error: oriented.a.event.0.direction: is for the cut along a line only"},
       {patch + "[[oriented.event]]\nkind = \"crease\"\nalong = [[0, 0, 0], [0, 0, 0]]\n",
        "s.toml:11:9: error: oriented.a.event.0.along: two successive points are equal; expected a line"},
       {cloth + "warp = 10\nwarp_direction = [0.1, 0, 2]\n",
@@ -92,20 +111,22 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
        "s.toml:8:8: error: sheet.0.warp: expected a force per length such as \"0.03 N/m\", got \"3 kg\""},
       {cloth + "mass = \"3 N/m\"\n",
        "s.toml:8:8: error: sheet.0.mass: expected a quantity in kg/m^2, got \"3 N/m\""},
-      {cloth + "wrap = 1\nwrap_to = \"bal\"\n[[obstacle]]\nname = \"ball\"\nsphere = { radius = 0.1 }\n",
-       "s.toml:6:1: error: sheet 'sheet 0': wrap_to: unknown obstacle or body 'bal'; did you mean "
+      {cloth + "shrink_wrap = 1\nshrink_wrap_to = \"bal\"\n[[obstacle]]\nname = \"ball\"\nsphere = { radius "
+               "= 0.1 }\n",
+       "s.toml:6:1: error: sheet 'sheet 0': shrink_wrap_to: unknown obstacle or body 'bal'; did you mean "
        "'ball'?"},
-      {cloth + "name = \"b\"\nwrap = 1\nwrap_to = \"b\"\n",
-       "s.toml:6:1: error: sheet 'b': wrap_to: a sheet cannot wrap around itself; omit `wrap_to` to wrap "
+      {cloth + "name = \"b\"\nshrink_wrap = 1\nshrink_wrap_to = \"b\"\n",
+       "s.toml:6:1: error: sheet 'b': shrink_wrap_to: a sheet cannot wrap around itself; omit "
+       "`shrink_wrap_to` to shrink "
        "against "
        "its own normals"},
-      {cloth + "wrap = 1\nwrap_to = \"a\"\n" + patch +
+      {cloth + "shrink_wrap = 1\nshrink_wrap_to = \"a\"\n" + patch +
            "[[obstacle]]\nname = \"a\"\nsphere = { radius = 0.1 }\n",
-       "s.toml:6:1: error: sheet 'sheet 0': wrap_to: 'a' is the name of several objects of the scene; "
+       "s.toml:6:1: error: sheet 'sheet 0': shrink_wrap_to: 'a' is the name of several objects of the scene; "
        "expected "
        "a unique name"},
-      {cloth + "wrap = 1\nwrap_in_time = [[0, 1]]\n",
-       "s.toml:9:16: error: sheet.0.wrap_in_time: expected a list of at least two pairs [s, number], "
+      {cloth + "shrink_wrap = 1\nshrink_wrap_in_time = [[0, 1]]\n",
+       "s.toml:9:16: error: sheet.0.shrink_wrap_in_time: expected a list of at least two pairs [s, number], "
        "such as [[300, 0.5], [400, 0.7]]"},
       {cloth + "warp_in_time = [[0, 1], [1, 2]]\n",
        "s.toml:8:16: error: sheet.0.warp_in_time: is a factor of warp, which is 0: set `warp` of the "
@@ -115,9 +136,9 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
        "`bending` of the sheet, or remove the factor"},
       {cloth + "warp = 1\nwarp_in_time = [[0, 1], [1, -2]]\n",
        "s.toml:9:29: error: sheet.0.warp_in_time: must be >= 0, got -2"},
-      {cloth + "mass = 0\nstiffness = 1\n[[sheet.brush]]\npressure = [0, 0, 1]\n",
+      {cloth + "mass = 0\nstiffness = 1\n[[sheet.pressure_brush]]\npressure = [0, 0, 1]\n",
        "s.toml:8:8: error: sheet 'sheet 0': mass: a massless, undamped vertex has no stable step under "
-       "the pressure of a brush: expected mass, or damping at all times"},
+       "the pressure of a pressure brush: expected mass, or damping at all times"},
       {cloth + "mass = 0\nstiffness = 1\n[[obstacle]]\nsphere = { radius = 0.1 }\n",
        "s.toml:8:8: error: sheet 'sheet 0': mass: a massless, undamped vertex has no stable step under "
        "contact with obstacles: expected mass, or damping at all times"},
@@ -142,9 +163,10 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
        "the `points` of a closed surface define the body: expected one of these, \"gaps\", or `most`, the "
        "number of particles at which it stops"},
       {patch + "[[oriented.field]]\nfrom = 1\n",
-       "s.toml:9:1: error: oriented.a.field.0: this field has no effect: set `push`, `pull` or `pressure`"},
-      {patch + "[[oriented.field]]\npull = 3\nradius = 1\n",
-       "s.toml:10:8: error: oriented.a.field.0.pull: needs `point`, its target"},
+       "s.toml:9:1: error: oriented.a.field.0: this field has no effect: set `acceleration`, `attraction` or "
+       "`pressure`"},
+      {patch + "[[oriented.field]]\nattraction = 3\nradius = 1\n",
+       "s.toml:10:8: error: oriented.a.field.0.attraction: needs `point`, its target"},
       {patch + "[[oriented.field]]\npressure = 3\nfrom = 1\nuntil = 1\n",
        "s.toml:12:9: error: oriented.a.field.0.until: must be after `from`"},
       {"[[sheet]]\nmesh = \"builtin:cat\"\n",
@@ -189,7 +211,7 @@ TEST(OrientedColours, ComeFromTheSceneOrTheBodyNumber) {
 }
 
 TEST(OrientedFields, WarnWhenTheyBeginAtTheEnd) {
-  const std::string field = "[[oriented.field]]\npush = [1, 0, 0]\nfrom = ";
+  const std::string field = "[[oriented.field]]\nacceleration = [1, 0, 0]\nfrom = ";
   EXPECT_TRUE(sceneWarnings(readScene(sceneFilesOf("s.toml", head + patch + field + "0.9\n"))).empty());
   EXPECT_EQ(sceneWarnings(readScene(sceneFilesOf("s.toml", head + patch + field + "1\n"))),
             std::vector<std::string>{"s.toml:9:1: oriented body 'a': this field begins at 1 s, but the scene "

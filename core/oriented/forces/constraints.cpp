@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/oriented/forces/anchors.hpp"
+#include "core/oriented/forces/constraints.hpp"
 
 #include <cmath>
 
@@ -26,16 +26,18 @@ Quat turnOf(const Mat3d& m) {
 
 }  // namespace
 
-void moveAnchored(Oriented& o, const Scene& scene, double time, double dt) {
+void moveConstrainted(Oriented& o, const Scene& scene, double time, double dt) {
   for (std::size_t i = 0; i < o.owned; i++) {
     if (!(o.flags[i] & (fixedPosition | fixedOrientation))) continue;
     const OrientedBody& body = scene.oriented[o.body[i]];
-    const OrientedAnchor* anchor = o.anchor[i] == noAnchor ? nullptr : &body.anchors[o.anchor[i]];
-    if (anchor && time > anchor->until) {
+    const OrientedConstraint* constraint = o.constraint[i] == noConstraint
+                                               ? nullptr
+                                               : &body.constraints[o.constraint[i]];
+    if (constraint && time > constraint->until) {
       o.flags[i] &= creased;
       continue;
     }
-    const Pose pose = anchor ? poseAt(anchor->motion, time) : Pose{};
+    const Pose pose = constraint ? poseAt(constraint->motion, time) : Pose{};
     if (o.flags[i] & fixedPosition) {
       o.position[i] = fromRest(pose, o.restPosition[i]);
       o.velocity[i] = pose.moved && dt > 0 ? velocityAt(pose, o.position[i]) : Vec3d{};

@@ -53,14 +53,14 @@ struct VolumeErrors {
                             ///< open than closedTolerance
 };
 
-void recordVolumes(VolumeErrors& held, const std::vector<SurfaceComponent>& components, double time);
+void recordVolumes(VolumeErrors& errors, const std::vector<SurfaceComponent>& components, double time);
 
 /// Returns lines for the end of a run; none without components.
-std::vector<std::string> volumeErrorLines(const VolumeErrors& held);
-nlohmann::ordered_json volumeErrorJson(const VolumeErrors& held);
+std::vector<std::string> volumeErrorLines(const VolumeErrors& errors);
+nlohmann::ordered_json volumeErrorJson(const VolumeErrors& errors);
 /// Returns a warning if a component or the sum is more than 1 % off the target volume, or a small component
 /// more than 10 %. It also warns if more than 1 % of the particles are in components that are more than 1 %
 /// off. Else returns "".
-std::string volumeErrorWarning(const VolumeErrors& held);
+std::string volumeErrorWarning(const VolumeErrors& errors);
 
 }  // namespace thaw

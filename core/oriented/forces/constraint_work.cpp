@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/oriented/forces/anchor_work.hpp"
+#include "core/oriented/forces/constraint_work.hpp"
 
 namespace thaw {
 
@@ -15,7 +15,7 @@ StateBefore stateBefore(const Oriented& o, double dt) {
   return b;
 }
 
-void recordAnchorWork(const OrientedView& w, const StateBefore& b, double weight) {
+void recordConstraintWork(const OrientedView& w, const StateBefore& b, double weight) {
   const Oriented& o = w.oriented.rows;
   const OrientedWork& t = w.work;
   // a force acts over half of the displacement before it and half of that after it (trapezoidal rule);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/run/reports/volume_held.hpp"
+#include "io/run/reports/volume_errors.hpp"
 
 #include <fmt/format.h>
 
@@ -36,7 +36,7 @@ nlohmann::ordered_json jsonOf(const VolumeError& w) {
 
 }  // namespace
 
-void recordVolumes(VolumeErrors& held, const std::vector<SurfaceComponent>& components, double time) {
+void recordVolumes(VolumeErrors& errors, const std::vector<SurfaceComponent>& components, double time) {
   if (components.empty()) return;
   VolumeSums frame;
   frame.time = time;
@@ -48,19 +48,19 @@ void recordVolumes(VolumeErrors& held, const std::vector<SurfaceComponent>& comp
     if (wanted > 0 && std::abs(c.volume / wanted - 1) > mostOff) frame.missed += c.particles;
     if (c.particles < leastSmallParticles) continue;
     if (c.particles < leastComponentParticles) {
-      note(held.small, c, wanted, time);
+      note(errors.small, c, wanted, time);
     } else if (c.surfels >= leastControlledSurfels) {
-      note(held.againstParticles, c, c.particleVolume, time);
-      note(held.againstTarget, c, c.wantedVolume, time);
-      if (c.open > closedTolerance) held.unsure += c.particles;
-      if (c.open > held.open.off) held.open = {c.open, c.label, c.particles, time};
+      note(errors.againstParticles, c, c.particleVolume, time);
+      note(errors.againstTarget, c, c.wantedVolume, time);
+      if (c.open > closedTolerance) errors.unsure += c.particles;
+      if (c.open > errors.open.off) errors.open = {c.open, c.label, c.particles, time};
     }
   }
-  if (!held.any || std::abs(frame.off()) > std::abs(held.sum.off())) held.sum = frame;
-  if (!held.any || frame.missedShare() > held.missing.missedShare()) held.missing = frame;
-  held.particles += frame.particles;
-  held.missed += frame.missed;
-  held.any = true;
+  if (!errors.any || std::abs(frame.off()) > std::abs(errors.sum.off())) errors.sum = frame;
+  if (!errors.any || frame.missedShare() > errors.missing.missedShare()) errors.missing = frame;
+  errors.particles += frame.particles;
+  errors.missed += frame.missed;
+  errors.any = true;
 }
 
 std::vector<std::string> volumeErrorLines(const VolumeErrors& h) {

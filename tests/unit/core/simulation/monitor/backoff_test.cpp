@@ -15,40 +15,40 @@ TEST(Watch, FailureHalvesTheStepAndItGrowsBack) {
   World w;
   w.clock.dt = 0.4;
   w.clock.end = 1000;
-  acceptState(w.watch, w.clock, {});
-  EXPECT_EQ(w.watch.fullStep, 0.4);
-  EXPECT_EQ(nextFactor(w.watch), 1);
-  MonitorState failed = w.watch;
-  halveStep(w.watch, w.clock, w.scene, failed, 0);
+  acceptState(w.monitor, w.clock, {});
+  EXPECT_EQ(w.monitor.fullStep, 0.4);
+  EXPECT_EQ(nextFactor(w.monitor), 1);
+  MonitorState failed = w.monitor;
+  halveStep(w.monitor, w.clock, w.scene, failed, 0);
   EXPECT_EQ(w.clock.dt, 0.2);
-  EXPECT_EQ(w.watch.factor, 0.5);
-  EXPECT_EQ(w.watch.failures, 1);
-  failed = w.watch;
+  EXPECT_EQ(w.monitor.factor, 0.5);
+  EXPECT_EQ(w.monitor.failures, 1);
+  failed = w.monitor;
   w.clock.dt = 0.4;  // rollback
-  w.watch = {};
-  halveStep(w.watch, w.clock, w.scene, failed, 5);
+  w.monitor = {};
+  halveStep(w.monitor, w.clock, w.scene, failed, 5);
   EXPECT_EQ(w.clock.dt, 0.1);
-  EXPECT_EQ(w.watch.failures, 2);
-  EXPECT_EQ(w.watch.requiredSnapshots, 4);
-  EXPECT_EQ(w.watch.passed, 5 + 0.4 * static_cast<double>(w.scene.numerics.retryEvery));
-  w.clock.time = w.watch.passed;
-  for (int good = 0; good < 3; good++) acceptState(w.watch, w.clock, {});
-  EXPECT_EQ(w.watch.failures, 2);
-  EXPECT_EQ(nextFactor(w.watch), 0.25) << "not yet";
-  acceptState(w.watch, w.clock, {});
-  EXPECT_EQ(w.watch.halvings, 1);
-  EXPECT_EQ(w.watch.failures, 1) << "one retry fewer counts";
+  EXPECT_EQ(w.monitor.failures, 2);
+  EXPECT_EQ(w.monitor.requiredSnapshots, 4);
+  EXPECT_EQ(w.monitor.passed, 5 + 0.4 * static_cast<double>(w.scene.numerics.retryEvery));
+  w.clock.time = w.monitor.passed;
+  for (int good = 0; good < 3; good++) acceptState(w.monitor, w.clock, {});
+  EXPECT_EQ(w.monitor.failures, 2);
+  EXPECT_EQ(nextFactor(w.monitor), 0.25) << "not yet";
+  acceptState(w.monitor, w.clock, {});
+  EXPECT_EQ(w.monitor.halvings, 1);
+  EXPECT_EQ(w.monitor.failures, 1) << "one retry fewer counts";
   for (int step = 0; step < 7; step++) {
-    const double next = nextFactor(w.watch);
-    EXPECT_LE(next, 1.1 * w.watch.factor);
-    w.watch.factor = next;
+    const double next = nextFactor(w.monitor);
+    EXPECT_LE(next, 1.1 * w.monitor.factor);
+    w.monitor.factor = next;
   }
-  w.watch.factor = nextFactor(w.watch);
-  EXPECT_EQ(w.watch.factor, 0.5) << "eight steps of a tenth";
-  for (int good = 0; good < 100; good++) acceptState(w.watch, w.clock, {});
-  EXPECT_EQ(w.watch.halvings, 0);
-  EXPECT_EQ(w.watch.failures, 0);
-  EXPECT_EQ(w.watch.requiredSnapshots, 1) << "all failures are forgiven";
+  w.monitor.factor = nextFactor(w.monitor);
+  EXPECT_EQ(w.monitor.factor, 0.5) << "eight steps of a tenth";
+  for (int good = 0; good < 100; good++) acceptState(w.monitor, w.clock, {});
+  EXPECT_EQ(w.monitor.halvings, 0);
+  EXPECT_EQ(w.monitor.failures, 0);
+  EXPECT_EQ(w.monitor.requiredSnapshots, 1) << "all failures are forgiven";
 }
 
 // Snapshots come arbitrarily close to a failure that no step prevents.
@@ -58,22 +58,22 @@ TEST(Watch, SnapshotsBeforeAFailureDoNotForgiveIt) {
   w.clock.dt = 1;
   w.clock.end = 1000;
   w.scene.numerics.retryEvery = 10;
-  acceptState(w.watch, w.clock, {});
+  acceptState(w.monitor, w.clock, {});
   constexpr double failsAt = 7;
   std::int64_t tries = 0;
-  for (; mayRetry(w.scene.numerics, w.watch, w.clock, b) && tries < 100; tries++) {
+  for (; mayRetry(w.scene.numerics, w.monitor, w.clock, b) && tries < 100; tries++) {
     const double before = w.clock.time;
-    halveStep(w.watch, w.clock, w.scene, w.watch, failsAt);
+    halveStep(w.monitor, w.clock, w.scene, w.monitor, failsAt);
     for (int good = 0; good < 1000; good++) {  // all the way to the failure
       w.clock.time = before + (failsAt - before) * good / 1000;
-      acceptState(w.watch, w.clock, {});
+      acceptState(w.monitor, w.clock, {});
     }
   }
   EXPECT_EQ(tries, w.scene.numerics.retries);
-  EXPECT_EQ(w.watch.halvings, w.scene.numerics.retries);
+  EXPECT_EQ(w.monitor.halvings, w.scene.numerics.retries);
   w.clock.time = failsAt + 10;  // past it by the time of retry_every full steps
-  for (int good = 0; good < 64; good++) acceptState(w.watch, w.clock, {});
-  EXPECT_TRUE(mayRetry(w.scene.numerics, w.watch, w.clock, b));
+  for (int good = 0; good < 64; good++) acceptState(w.monitor, w.clock, {});
+  EXPECT_TRUE(mayRetry(w.scene.numerics, w.monitor, w.clock, b));
 }
 
 TEST(Watch, NoRetryTakesAStepBelowTheLimit) {
@@ -81,22 +81,22 @@ TEST(Watch, NoRetryTakesAStepBelowTheLimit) {
   MonitorLimits b;
   b.step = 0.2;
   w.clock.dt = 1;
-  acceptState(w.watch, w.clock, {});
-  EXPECT_TRUE(mayRetry(w.scene.numerics, w.watch, w.clock, b));
-  halveStep(w.watch, w.clock, w.scene, w.watch, 0);
-  EXPECT_TRUE(mayRetry(w.scene.numerics, w.watch, w.clock, b)) << "0.25 s";
-  halveStep(w.watch, w.clock, w.scene, w.watch, 0);
+  acceptState(w.monitor, w.clock, {});
+  EXPECT_TRUE(mayRetry(w.scene.numerics, w.monitor, w.clock, b));
+  halveStep(w.monitor, w.clock, w.scene, w.monitor, 0);
+  EXPECT_TRUE(mayRetry(w.scene.numerics, w.monitor, w.clock, b)) << "0.25 s";
+  halveStep(w.monitor, w.clock, w.scene, w.monitor, 0);
   EXPECT_EQ(w.clock.dt, 0.25);
-  EXPECT_FALSE(mayRetry(w.scene.numerics, w.watch, w.clock, b)) << "0.125 s";
-  EXPECT_TRUE(retryTooShort(w.watch, w.clock, b));
+  EXPECT_FALSE(mayRetry(w.scene.numerics, w.monitor, w.clock, b)) << "0.125 s";
+  EXPECT_TRUE(retryTooShort(w.monitor, w.clock, b));
 }
 
 TEST(Watch, HalvesStepsCutByFrames) {
   World w;
   w.clock.dt = 1;
   w.clock.every = 0.3;
-  acceptState(w.watch, w.clock, {});
-  halveStep(w.watch, w.clock, w.scene, w.watch, 0);
+  acceptState(w.monitor, w.clock, {});
+  halveStep(w.monitor, w.clock, w.scene, w.monitor, 0);
   EXPECT_EQ(w.clock.dt, 0.125) << "half of the first power of two below 0.3";
 }
 
@@ -106,19 +106,19 @@ TEST(Watch, HalvesTheFrameIntervalWithoutAStepLimit) {
   World w;
   w.clock.dt = never;
   w.clock.every = 0.3;
-  acceptState(w.watch, w.clock, {});
-  halveStep(w.watch, w.clock, w.scene, w.watch, 0);
+  acceptState(w.monitor, w.clock, {});
+  halveStep(w.monitor, w.clock, w.scene, w.monitor, 0);
   EXPECT_EQ(w.clock.dt, 0.15);
-  EXPECT_EQ(w.watch.halvings, 1);
-  const MonitorState failed = w.watch;
+  EXPECT_EQ(w.monitor.halvings, 1);
+  const MonitorState failed = w.monitor;
   w.clock.dt = never;
-  w.watch = {};
-  halveStep(w.watch, w.clock, w.scene, failed, 0);
+  w.monitor = {};
+  halveStep(w.monitor, w.clock, w.scene, failed, 0);
   EXPECT_EQ(w.clock.dt, 0.075);
   MonitorState often;
   often.halvings = 100;
-  halveStep(w.watch, w.clock, w.scene, often, 0);
-  EXPECT_LT(w.watch.halvings, 63) << "the message has 1 << halvings";
+  halveStep(w.monitor, w.clock, w.scene, often, 0);
+  EXPECT_LT(w.monitor.halvings, 63) << "the message has 1 << halvings";
 }
 
 TEST(Watch, IgnoresALongHeatLimit) {
@@ -150,9 +150,9 @@ TEST(Watch, FindsFailuresOfReducedValues) {
   EXPECT_EQ(failureOf(w, b, l, 1), Failure::Step);
   l[Limit::Elastic] = 1.1e-6;
   EXPECT_EQ(failureOf(w, b, l, 1), Failure::None);
-  w.watch.factor = 0.5, w.watch.halvings = 1;
+  w.monitor.factor = 0.5, w.monitor.halvings = 1;
   EXPECT_EQ(failureOf(w, b, l, 1), Failure::Step) << "half of the limit is reported";
-  w.watch = {};
+  w.monitor = {};
   w.scene.numerics.fixedStep = 1e-3;
   EXPECT_EQ(failureOf(w, b, l, 1), Failure::None) << "a fixed step ignores the limits";
   l[Limit::Speed] = supportsPerStep * 0.1 / 10.1;
@@ -169,12 +169,12 @@ TEST(Watch, FindsUnexplainedEnergySinceTheLastSnapshot) {
   LedgerReport budget;
   budget.now.mass = 1;       // 2 J at the expected speed
   budget.energyScale = 100;  // over the whole run
-  w.watch.residual = 5;
+  w.monitor.residual = 5;
   budget.energyResidual = 5.9;
   EXPECT_EQ(checkEnergyBudget(w, b, budget, all), Failure::None);
   budget.energyResidual = 6.1;
   EXPECT_EQ(checkEnergyBudget(w, b, budget, all), Failure::Energy);
-  w.watch.scale = 3;
+  w.monitor.scale = 3;
   EXPECT_EQ(checkEnergyBudget(w, b, budget, all), Failure::None);
   budget.energyResidual = -never + never;
   EXPECT_EQ(checkEnergyBudget(w, b, budget, all), Failure::Energy) << "not a number";
@@ -191,9 +191,9 @@ TEST(Watch, FindsSlowlyGrowingUnexplainedEnergy) {
   for (int good = 0; good < 10; good++) {  // half a joule each time, which is little of 200 J
     budget.energyResidual = 0.5 * good;
     EXPECT_EQ(checkEnergyBudget(w, b, budget, all), Failure::None) << good;
-    acceptState(w.watch, w.clock, budget);
+    acceptState(w.monitor, w.clock, budget);
   }
-  EXPECT_EQ(w.watch.largest, 10);
+  EXPECT_EQ(w.monitor.largest, 10);
   budget.energyScale = 1;  // the largest earlier scale counts
   EXPECT_EQ(checkEnergyBudget(w, b, budget, all), Failure::None);
   budget.energyResidual = 5.1;
@@ -201,9 +201,9 @@ TEST(Watch, FindsSlowlyGrowingUnexplainedEnergy) {
   budget.energyScale = 11;
   EXPECT_EQ(checkEnergyBudget(w, b, budget, all), Failure::None);
   budget.energyResidual = 5.6;
-  w.watch.residual = 5.7;
+  w.monitor.residual = 5.7;
   EXPECT_EQ(checkEnergyBudget(w, b, budget, all), Failure::None) << "it has decreased";
-  w.watch.residual = 5.5;
+  w.monitor.residual = 5.5;
   b.energy = never;
   EXPECT_EQ(checkEnergyBudget(w, b, budget, all), Failure::None) << "not watched";
   b.energy = 0.5;
@@ -215,7 +215,7 @@ TEST(Watch, NamesTheLowestIdAmongEquals) {
   World w;
   Continuum& p = w.particles;
   for (AnyColumn* c : p.columns)
-    if (c != &p.slot) p.activate(*c);
+    if (c != &p.solidIndex) p.activate(*c);
   p.resize(3, 0);
   const std::uint64_t ids[3] = {std::uint64_t(9) << 40 | 3, std::uint64_t(2) << 40 | 8,
                                 std::uint64_t(2) << 40 | 7};

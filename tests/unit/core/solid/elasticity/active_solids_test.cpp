@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slots inside rigid pieces are left out of the elastic sums (active_slots.hpp): forces of other slots, and
-// force, torque and energy of pieces, are those of all sums.
-#include "core/solid/elasticity/active_slots.hpp"
+// Solids inside rigid pieces are left out of the elastic sums (active_solids.hpp): forces of other solids,
+// and force, torque and energy of pieces, are those of all sums.
+#include "core/solid/elasticity/active_solids.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ struct Load {
   Vec3d force{}, torque{};
 };
 
-Load loadOf(const SolidBody& b, const SlotPieces& pieces, std::uint64_t piece) {
+Load loadOf(const SolidBody& b, const SolidPieces& pieces, std::uint64_t piece) {
   Load sum;
   for (std::size_t s = 0; s < b.solids.owned; s++) {
     if (pieces.piece[s] != piece) continue;
@@ -30,9 +30,9 @@ Load loadOf(const SolidBody& b, const SlotPieces& pieces, std::uint64_t piece) {
   return sum;
 }
 
-class ActiveSlots : public testing::TestWithParam<std::tuple<const char*, bool>> {};
+class ActiveSolids : public testing::TestWithParam<std::tuple<const char*, bool>> {};
 
-TEST_P(ActiveSlots, SumsAreThoseOfAllSlots) {
+TEST_P(ActiveSolids, SumsAreThoseOfAllSolids) {
   const auto [law, freezing] = GetParam();
   const std::vector<Vec3d> points = lattice({14, 5, 5}, 0.1, 0.05);
   Material m = elasticMaterial(1e5, 0.3);
@@ -41,7 +41,7 @@ TEST_P(ActiveSlots, SumsAreThoseOfAllSlots) {
   BodyOptions options;
   options.freezing = freezing;
   const auto all = makeBody(points, {m}, options), some = makeBody(points, {m}, options);
-  SlotPieces pieces;
+  SolidPieces pieces;
   pieces.resize(points.size(), 0);
   for (std::size_t s = 0; s < points.size(); s++)
     pieces.piece[s] = points[s].x < 0.55 ? 4 : points[s].x > 0.95 ? 9 : 0;
@@ -50,7 +50,7 @@ TEST_P(ActiveSlots, SumsAreThoseOfAllSlots) {
     moveAll(*b, points, stretched);
     computeForces(*b);
   }
-  chooseActiveSlots(some->work, some->solids, some->bonds, pieces);
+  chooseActiveSolids(some->work, some->solids, some->bonds, pieces);
   std::size_t passive = 0;
   for (std::size_t s = 0; s < points.size(); s++) passive += isPassive(some->work, s);
   EXPECT_GT(passive, 100u);
@@ -82,47 +82,47 @@ TEST_P(ActiveSlots, SumsAreThoseOfAllSlots) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, ActiveSlots,
+INSTANTIATE_TEST_SUITE_P(Laws, ActiveSolids,
                          testing::Combine(testing::Values("green", "neo-hookean", "corotated"),
                                           testing::Bool()));
 
-TEST(ActiveSlots, WithoutPiecesAllAreActive) {
+TEST(ActiveSolids, WithoutPiecesAllAreActive) {
   const std::vector<Vec3d> points = lattice({4, 4, 4}, 0.1);
   const auto b = makeBody(points, {elasticMaterial()});
-  SlotPieces pieces;
+  SolidPieces pieces;
   pieces.resize(points.size(), 0);
-  chooseActiveSlots(b->work, b->solids, b->bonds, pieces);
-  EXPECT_TRUE(activeSlotsKnown(b->work, b->solids));
-  EXPECT_TRUE(anyActiveSlot(b->work, b->solids));
+  chooseActiveSolids(b->work, b->solids, b->bonds, pieces);
+  EXPECT_TRUE(activeSolidsKnown(b->work, b->solids));
+  EXPECT_TRUE(anyActiveSolid(b->work, b->solids));
   EXPECT_FALSE(b->work.sleeping);
   for (std::size_t s = 0; s < points.size(); s++) pieces.piece[s] = 1;
-  chooseActiveSlots(b->work, b->solids, b->bonds, pieces);
-  EXPECT_FALSE(anyActiveSlot(b->work, b->solids));
-  forgetActiveSlots(b->work);
-  EXPECT_FALSE(activeSlotsKnown(b->work, b->solids));
+  chooseActiveSolids(b->work, b->solids, b->bonds, pieces);
+  EXPECT_FALSE(anyActiveSolid(b->work, b->solids));
+  forgetActiveSolids(b->work);
+  EXPECT_FALSE(activeSolidsKnown(b->work, b->solids));
 }
 
-// A slot that arrives from another rank while it is passive has no F, unlike one that stayed.
-TEST(ActiveSlots, SlotsThatBecomeActiveHaveTheirDeformation) {
+// A solid that arrives from another rank while it is passive has no F, unlike one that stayed.
+TEST(ActiveSolids, SolidsThatBecomeActiveHaveTheirDeformation) {
   const std::vector<Vec3d> points = lattice({5, 5, 5}, 0.1, 0.05);
   const auto b = makeBody(points, {elasticMaterial()});
   moveAll(*b, points, stretched);
   computeForces(*b);
   const std::vector<Mat3d> deformed(b->solids.deformation.data(),
                                     b->solids.deformation.data() + points.size());
-  SlotPieces pieces;
+  SolidPieces pieces;
   pieces.resize(points.size(), 0);
   for (std::size_t s = 0; s < points.size(); s++) pieces.piece[s] = 1;
   for (std::size_t s = 0; s < points.size(); s++) b->solids.deformation[s] = {};
-  chooseActiveSlots(b->work, b->solids, b->bonds, pieces);
+  chooseActiveSolids(b->work, b->solids, b->bonds, pieces);
   for (std::size_t s = 0; s < points.size(); s++) pieces.piece[s] = points[s].x < 0.25 ? 1 : 0;
-  chooseActiveSlots(b->work, b->solids, b->bonds, pieces);
+  chooseActiveSolids(b->work, b->solids, b->bonds, pieces);
   std::size_t active = 0;
   for (std::size_t s = 0; s < points.size(); s++) {
     if (isPassive(b->work, s)) continue;
     active++;
     for (int r = 0; r < 3; r++)
-      EXPECT_LT(length(b->solids.deformation[s].row[r] - deformed[s].row[r]), 1e-12) << "slot " << s;
+      EXPECT_LT(length(b->solids.deformation[s].row[r] - deformed[s].row[r]), 1e-12) << "solidIndex " << s;
   }
   EXPECT_GT(active, 50u);
   EXPECT_LT(active, points.size());
