@@ -4,7 +4,7 @@
 
 #include "benchmarks/oriented/tests.hpp"
 #include "core/geometry/trees/point_tree.hpp"
-#include "core/simulation/body_types/redistribute.hpp"
+#include "core/simulation/body_types/redistribute_body_types.hpp"
 
 namespace thaw::bench {
 

@@ -85,7 +85,7 @@ struct SheetBody {
   double volumeStiffness = 0;            // Pa
   double repulsion = 0, attraction = 0;  // N/m, repulsion of vertices nearer than `thickness`, attraction of
                                          // those further apart
-  double attractionRange = 0;  // m, range of the attraction
+  double attractionRange = 0;            // m, range of the attraction
   // External forces.
   Vec3d wind{};              // m/s
   double windDensity = 0;    // kg/m^3, density of the air times a drag coefficient; 0: no wind

@@ -14,9 +14,19 @@ namespace {
 
 /// Brings each particle to the rank of its cell, then the data that belong to particles.
 void redistributeAll(StepContext& c) {
-  c.leftBonds = redistribute(c.w, c.halos, c.t, c.dt);  // emit, remove, migrate, sort by (cell, id)
+  redistribute(c);  // emit, remove, migrate, sort by (cell, id)
   runPhase(ModulePhase::Redistributed, c);
   c.t.phaseChange.here = false;
+}
+
+/// Finds the neighbours of inner rows, or of the others, and sums their densities.
+void sumDensities(StepContext& c, Part part, ModulePhase before) {
+  markInner(c.w.cells, c.w.particles.owned, c.halos.cells, c.t.sums.inner);
+  runPhase(before, c);
+  searchNeighbours(c.w, c.t, part, c.dt);
+  c.rows = passRows(part, c.w.neighbours, c.w.particles.owned, c.w.particles.size());
+  runPhase(ModulePhase::DensitySums, c);
+  c.t.times.lap(StepPhase::Density);
 }
 
 /// Finds neighbours and sums densities. Inner particles are summed while surrounding cells are exchanged.
@@ -31,14 +41,10 @@ void findDensities(StepContext& c) {
   clearRates(w.particles, w.modules.uniform);
   if (search) {
     runPhase(ModulePhase::BeforeDensity, c);
-    markInner(w.cells, w.particles.owned, c.halos.cells, t.sums.inner);
-    runPhase(ModulePhase::InnerRows, c);
-    sumOverNeighbours(w, t, NeighbourPass::InnerDensity, c.dt);
+    sumDensities(c, Part::Inner, ModulePhase::InnerRows);
     ghosts.wait();
     t.times.lap(StepPhase::Exchange);
-    markInner(w.cells, w.particles.owned, c.halos.cells, t.sums.inner);
-    runPhase(ModulePhase::BoundaryRows, c);
-    sumOverNeighbours(w, t, NeighbourPass::BoundaryDensity, c.dt);
+    sumDensities(c, Part::Boundary, ModulePhase::BoundaryRows);
   }
   runPhase(ModulePhase::Density, c);
   t.times.lap(StepPhase::Contact);
@@ -54,19 +60,32 @@ ColumnList densityColumns(Continuum& p) {
   return columns;
 }
 
-/// Pressure, viscosity, heat and tension of pairs, and stress of solids, while densities are exchanged.
+/// Pressure, viscosity, heat and tension of pairs.
+void sumForces(StepContext& c, Part part) {
+  if (!c.w.modules.neighbours) return;  // a scene of one solid searches only to form its bonds
+  c.rows = passRows(part, c.w.neighbours, c.w.particles.owned, c.w.particles.size());
+  runPhase(ModulePhase::ForceSums, c);
+  c.t.times.lap(StepPhase::Forces);
+}
+
+/// Forces of pairs, and stress of solids, while densities are exchanged.
 void findForces(StepContext& c) {
   World& w = c.w;
   StepTools& t = c.t;
   const ColumnList columns = densityColumns(w.particles);
-  if (!columns.empty()) c.densities = refresh(c.halos.cells, w.particles, columns);
+  Exchange densities;
+  if (!columns.empty()) densities = refresh(c.halos.cells, w.particles, columns);
   t.times.lap(StepPhase::Exchange);
   runPhase(ModulePhase::Deformation, c);
-  const bool pairs = w.modules.neighbours;  // a scene of one solid searches only to form its bonds
-  if (pairs) sumOverNeighbours(w, t, NeighbourPass::InnerForces);
-  c.densities.wait();
+  if (c.bondsForm) {
+    densities.wait();  // bonds send further columns of ghosts
+    runPhase(ModulePhase::NewBonds, c);
+  }
+  runPhase(ModulePhase::Stress, c);
+  sumForces(c, Part::Inner);
+  densities.wait();
   t.times.lap(StepPhase::Exchange);
-  if (pairs) sumOverNeighbours(w, t, NeighbourPass::BoundaryForces);
+  sumForces(c, Part::Boundary);
   runPhase(ModulePhase::ContinuumForce, c);
 }
 

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // First part of an evaluation: particles move to their ranks and into order.
 #pragma once
-#include "core/halo/halos.hpp"
-#include "core/simulation/workspace/step_tools.hpp"
-#include "core/simulation/world/world.hpp"
+#include "core/simulation/step_context.hpp"
 
 namespace thaw {
 
 /// Emits particles and removes those beyond an open side (recorded in the ledger). The others migrate to the
-/// rank that owns their cell, and are sorted by (cell, id). Returns true if a particle with bonds left the
-/// domain.
-bool redistribute(World& world, Halos halos, StepTools& tools, double dt);
+/// rank that owns their cell, and are sorted by (cell, id). Sets StepContext::leftBonds. Collective.
+void redistribute(StepContext& context);
 
 /// Returns true if this evaluation needs neighbour lists. A scene of one solid needs them once, to make its
 /// bonds.

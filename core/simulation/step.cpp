@@ -2,7 +2,7 @@
 #include "core/simulation/step.hpp"
 
 #include "core/domain/sides.hpp"
-#include "core/simulation/body_types/redistribute.hpp"
+#include "core/simulation/body_types/redistribute_body_types.hpp"
 #include "core/simulation/step_context.hpp"
 #include "core/simulation/time/integrate.hpp"
 #include "core/simulation/views/views.hpp"

@@ -3,6 +3,7 @@
 #pragma once
 #include "core/halo/exchange.hpp"
 #include "core/halo/halos.hpp"
+#include "core/simulation/sums/pass_rows.hpp"
 #include "core/simulation/time/step_reduction.hpp"
 #include "core/simulation/workspace/step_tools.hpp"
 #include "core/simulation/world/world.hpp"
@@ -20,11 +21,13 @@ struct StepContext {
   double time;  ///< s, at its end
   WallContext walls;
   bool leftBonds = false;    ///< a particle with bonds left the domain
+  bool bondsForm = false;    ///< bonds form in this step on some rank
   bool justFrozen = false;   ///< particles froze in the last step: contacts record their jump of energy
   bool contactNear = false;  ///< with Modules::rareContact: unbonded solids of this rank touch, or will soon
-  VanishedWalls vanished = {};  ///< without walls unless some vanished in this step
-  Exchange solidPositions = {}, densities = {}, stress = {};  ///< in flight
-  StepLimits limits = {};                                     ///< s, of this rank's particles
+  VanishedWalls vanished = {};                ///< without walls unless some vanished in this step
+  PassRows rows = {};                         ///< of the present pass of sums over neighbours
+  Exchange solidPositions = {}, stress = {};  ///< in flight
+  StepLimits limits = {};                     ///< s, of this rank's particles
   StepReduction reduction = {};
   StepLimits commonLimits = {};   ///< s, of all ranks
   double longestSubstep = never;  ///< s

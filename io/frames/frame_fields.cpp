@@ -148,7 +148,7 @@ void addField(Frame& f, const World& w, int rank, const std::string& name) {
     // The neighbours of a solid particle are its bonds. Scenes of solids alone have no neighbour search.
     addRows<std::uint16_t>(f, "neighbours", "1", 1, [&w](std::size_t i, std::uint16_t* to) {
       const std::uint32_t solidIndex = solidIndexOf(w.particles, w.solids, i);
-      *to = solid == noSolid
+      *to = solidIndex == noSolid
                 ? (w.modules.neighbours && i < w.neighbours.neighbours.size() ? w.neighbours.neighbours[i]
                                                                               : std::uint16_t(0))
                 : bondsOf(w.bonds, solidIndex);

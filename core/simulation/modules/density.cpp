@@ -10,7 +10,8 @@ namespace thaw {
 StepModule summedDensity() {
   return {"summed density",
           [](const World& w, const TermWork&) { return w.modules.fluid && !w.modules.continuity; },
-          {{ModulePhase::Density, [](StepContext& c) {
+          {{ModulePhase::DensitySums, [](StepContext& c) { sumDensities(c.w, c.t, c.rows); }},
+           {ModulePhase::Density, [](StepContext& c) {
               addWallRelativeDensity(c.walls, c.t.sums.scales.inverseLatticeSum, c.t.walls.contacts);
               c.t.times.lap(StepPhase::Walls);
             }}}};
@@ -20,6 +21,7 @@ StepModule carriedDensity() {
   return {"density by continuity",
           [](const World& w, const TermWork&) { return w.modules.continuity; },
           {{ModulePhase::BeforeDensity, [](StepContext& c) { beginCarry(carryContext(c.w, c.t, c.dt)); }},
+           {ModulePhase::DensitySums, [](StepContext& c) { sumCarriedDensities(c.w, c.t, c.rows, c.dt); }},
            {ModulePhase::Density, [](StepContext& c) { finishCarry(carryContext(c.w, c.t, c.dt)); }},
            {ModulePhase::Limits, [](StepContext& c) {
               // Neighbourhoods that tear are stiffer than a lattice, and begin to oscillate from step to

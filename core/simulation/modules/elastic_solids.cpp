@@ -5,10 +5,13 @@
 
 #include "core/simulation/modules/step_modules.hpp"
 #include "core/simulation/solid_substeps.hpp"
+#include "core/halo/bonded_rows.hpp"
 #include "core/simulation/step_context.hpp"
 #include "core/simulation/sums/solid_step.hpp"
 #include "core/simulation/time/limits.hpp"
 #include "core/solid/elasticity/elastic.hpp"
+#include "core/solid/elasticity/rereference.hpp"
+#include "core/solid/fracture.hpp"
 #include "core/solid/melting.hpp"
 
 namespace thaw {
@@ -17,7 +20,13 @@ StepModule elasticSolids() {
   return {
       "solid",
       [](const World& w, const TermWork&) { return w.modules.solid; },
-      {{ModulePhase::Redistributed,
+      {{ModulePhase::Migrated,
+        [](StepContext& c) {
+          const RedistributionWork& work = c.t.redistribution;
+          if (work.moved)
+            c.halos.bonds.migrate(bondedRows(c.w.particles), c.w.solids, c.w.bonds, work.migration);
+        }},
+       {ModulePhase::Redistributed,
         [](StepContext& c) {
           StepTools& t = c.t;
           rebuildSolidBonds(c.w, c.halos, t, {{}, t.phaseChange.here || c.leftBonds || t.solid.bondsAtStart});
@@ -28,8 +37,15 @@ StepModule elasticSolids() {
         }},
        {ModulePhase::Deformation,
         [](StepContext& c) {
-          // F and stress follow; bonds break, form and take new references.
-          c.stress = deform(c.w, c.halos, c.t, c.dt, {std::move(c.solidPositions), c.densities});
+          deformSolids(c.w, c.halos, c.t, c.dt, std::move(c.solidPositions));
+          c.bondsForm = bondsForm(c.w, c.halos.all, c.t);
+        }},
+       {ModulePhase::NewBonds, [](StepContext& c) { makeBonds(c.w, c.halos, c.t, c.dt); }},
+       {ModulePhase::Stress,
+        [](StepContext& c) {
+          c.t.times.lap(StepPhase::Elastic);
+          c.stress = refresh(c.halos.bonds, c.w.solids, remoteColumnsBeforeForces(c.w.solids));
+          c.t.times.lap(StepPhase::Bonds);
         }},
        {ModulePhase::ContinuumForce,
         [](StepContext& c) {
@@ -61,6 +77,26 @@ StepModule elasticSolids() {
           if (c.dt > 0 && c.t.phaseChange.meltedAnywhere)
             melt(c.w, c.halos.bonds, c.t.solid.elastic, c.t.times);
         }}}};
+}
+
+StepModule fracture() {
+  return {"fracture",
+          [](const World& w, const TermWork&) { return w.modules.fracture; },
+          {{ModulePhase::Stress, [](StepContext& c) {
+              const ElasticStep now = elasticStep(c.t.solid.elastic, c.dt / c.w.clock.substeps);
+              c.w.counters.brokenBonds += breakBonds(c.t.solid.elastic, c.w.solids, c.w.bonds, now,
+                                                     c.w.ledger.phaseJump);
+            }}}};
+}
+
+StepModule newReferences() {
+  return {"new references after plastic flow",
+          [](const World& w, const TermWork&) { return w.modules.plastic; },
+          {{ModulePhase::Stress, [](StepContext& c) {
+              const ElasticStep now = elasticStep(c.t.solid.elastic, c.dt / c.w.clock.substeps);
+              c.w.counters.rereferenced += rereference(c.t.solid.elastic, c.w.solids, c.w.bonds, now,
+                                                       c.w.ledger.phaseJump);
+            }}}};
 }
 
 namespace {

@@ -12,14 +12,21 @@ namespace thaw {
 StepModule heatFlow() {
   return {"heat",
           [](const World& w, const TermWork&) { return w.modules.heat; },
-          {{ModulePhase::AllForces,
-            [](StepContext& c) {
-              if (c.w.modules.surfaceHeat) coverAreas(c.walls.world, c.t.walls.contacts);
-              addWallHeat(c.walls, c.t.walls.contacts);
-            }},
+          {{ModulePhase::AllForces, [](StepContext& c) { addWallHeat(c.walls, c.t.walls.contacts); }},
            {ModulePhase::PhaseChange, [](StepContext& c) {
               updateHeat(heatView(c.w), c.dt);  // H += heat dt, T and liquid fraction follow
             }}}};
+}
+
+StepModule exposedAreas() {
+  return {"areas exposed to the ambient",
+          [](const World& w, const TermWork&) { return w.modules.surfaceHeat; },
+          {{ModulePhase::ForceSums,
+            [](StepContext& c) {
+              findExposedAreas(pairSumsOf(c.w, c.t.sums), c.w.scene.numerics,
+                               c.w.particles.exposedArea.data(), c.rows.groups);
+            }},
+           {ModulePhase::AllForces, [](StepContext& c) { coverAreas(c.walls.world, c.t.walls.contacts); }}}};
 }
 
 StepModule conductionCorrection() {
@@ -36,9 +43,14 @@ StepModule conductionCorrection() {
 StepModule contactConductance() {
   return {"contact conductance",
           [](const World& w, const TermWork&) { return w.modules.contactConductance; },
-          {{ModulePhase::Density, [](StepContext& c) {
+          {{ModulePhase::Density,
+            [](StepContext& c) {
               findContactNormals(pairSumsOf(c.w, c.t.sums), c.w.particles.owned + c.t.sums.ghostRoom,
                                  c.w.particles, c.t.heat.contact);
+            }},
+           {ModulePhase::ForceSums, [](StepContext& c) {  // after the conduction, which it corrects
+              packContactFaces(c.w.scene, c.w.particles, c.rows.begin, c.rows.end, c.t.heat.contact);
+              addContactHeat(pairSumsOf(c.w, c.t.sums), c.t.heat.contact, c.rows.groups);
             }}}};
 }
 

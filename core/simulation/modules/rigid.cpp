@@ -17,7 +17,13 @@ namespace thaw {
 StepModule rigidPieces() {
   return {"rigid pieces",
           [](const World& w, const TermWork&) { return w.modules.rigid; },
-          {{ModulePhase::Drift,
+          {{ModulePhase::Migrated,
+            [](StepContext& c) {
+              const Continuum& p = c.w.particles;
+              for (const std::uint32_t i : c.t.redistribution.migration.departed)
+                if (p.piece[i] != notRigid) c.t.rigid.departed.push_back(p.piece[i]);
+            }},
+           {ModulePhase::Drift,
             [](StepContext& c) {
               driftPieces(rigidView(c.w, c.t.rigid), c.dt);
               c.t.redistribution.mayLeave = true;

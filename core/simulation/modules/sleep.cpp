@@ -8,7 +8,13 @@ namespace thaw {
 StepModule sleepOfSolids() {
   return {"sleep",
           [](const World& w, const TermWork&) { return w.modules.sleep; },
-          {{ModulePhase::WallContacts, [](StepContext& c) { beginSleep(sleepView(c.w, c.t), c.dt); }},
+          {{ModulePhase::Migrated,
+            [](StepContext& c) {
+              const Continuum& p = c.w.particles;
+              for (std::size_t i = p.owned - c.t.redistribution.migration.arrivals; i < p.owned; i++)
+                c.t.sleep.recomputeAll = c.t.sleep.recomputeAll || p.sleep[i] == asleep;
+            }},
+           {ModulePhase::WallContacts, [](StepContext& c) { beginSleep(sleepView(c.w, c.t), c.dt); }},
            {ModulePhase::InnerRows, [](StepContext& c) { markSleepingInner(sleepView(c.w, c.t)); }},
            {ModulePhase::BoundaryRows, [](StepContext& c) { markSleeping(sleepView(c.w, c.t)); }},
            {ModulePhase::Density, [](StepContext& c) { dropSkippedContacts(c.t.sleep, c.t.walls.contacts); }},

@@ -2,6 +2,7 @@
 #include "core/contact/solid_contact.hpp"
 #include "core/simulation/modules/step_modules.hpp"
 #include "core/simulation/step_context.hpp"
+#include "core/simulation/sums/particle_sums.hpp"
 
 namespace thaw {
 
@@ -9,7 +10,12 @@ StepModule solidContact() {
   return {
       "contact of solids",
       [](const World& w, const TermWork&) { return w.modules.contact; },
-      {{ModulePhase::Contact,
+      {{ModulePhase::ForceSums,
+        [](StepContext& c) {
+          if (c.rows.part == Part::Inner) c.t.contact.closePairs.list.clear();
+          c.t.sums.kernels->closePairs(pairSumsOf(c.w, c.t.sums), c.rows.groups, c.t.contact.closePairs);
+        }},
+       {ModulePhase::Contact,
         [](StepContext& c) {
           World& w = c.w;
           addSolidContacts({w.scene, w.grid, w.solids, w.bonds, c.walls.span,

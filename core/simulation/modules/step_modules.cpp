@@ -5,7 +5,9 @@ namespace thaw {
 
 std::vector<StepModule> stepModules() {
   // Loads from outside come first: implicit viscosity and thermostats depend on all other forces and heat.
-  return {outsideLoads(),
+  return {explicitForces(),
+          emitters(),
+          outsideLoads(),
           solidContact(),
           bodyContact(),
           sleepOfSolids(),
@@ -14,8 +16,12 @@ std::vector<StepModule> stepModules() {
           carriedDensity(),
           shiftingInside(),
           densityMonitor(),
+          flowLaws(),
+          pairForces(),  // before all sums that add to its forces and heat
+          pairTerms(),
           implicitViscosity(),
-          heatFlow(),  // before melting: phases follow from the new temperatures
+          exposedAreas(),  // before heatFlow, whose walls cover them
+          heatFlow(),      // before melting: phases follow from the new temperatures
           heatExchange(),
           conductionCorrection(),
           contactConductance(),
@@ -25,7 +31,6 @@ std::vector<StepModule> stepModules() {
           surfaceEnergy(),
           tensionByTemperature(),
           tensionByCurvature(),
-          flowLaws(),
           energyOfLeaving(),  // after surfaceEnergy, which adds the walls to the surface gradients
           melting(),          // before extensionPairForces, which add to PhaseEnergyWork::inPairs
           densityByPhase(),   // after melting: densities at rest follow from the new phases
@@ -33,6 +38,8 @@ std::vector<StepModule> stepModules() {
           incompressiblePressure(),
           extensionPairForces(),
           forcesAgainstShifting(),
+          fracture(),       // before elasticSolids, which sends the stress
+          newReferences(),  // after fracture
           elasticSolids(),
           solidSubsteps(),
           bodyForces(),

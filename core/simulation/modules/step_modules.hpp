@@ -22,6 +22,8 @@ struct StepModule {
 };
 
 // In the order of stepModules().
+StepModule explicitForces();
+StepModule emitters();
 StepModule outsideLoads();
 StepModule solidContact();
 StepModule bodyContact();
@@ -31,7 +33,11 @@ StepModule summedDensity();
 StepModule carriedDensity();
 StepModule shiftingInside();
 StepModule densityMonitor();
+StepModule flowLaws();
+StepModule pairForces();
+StepModule pairTerms();
 StepModule implicitViscosity();
+StepModule exposedAreas();
 StepModule heatFlow();
 StepModule heatExchange();
 StepModule conductionCorrection();
@@ -42,7 +48,6 @@ StepModule limitsOfTerms();
 StepModule surfaceEnergy();
 StepModule tensionByTemperature();
 StepModule tensionByCurvature();
-StepModule flowLaws();
 StepModule energyOfLeaving();
 StepModule melting();
 StepModule densityByPhase();
@@ -50,6 +55,8 @@ StepModule mushDrag();
 StepModule incompressiblePressure();
 StepModule extensionPairForces();
 StepModule forcesAgainstShifting();
+StepModule fracture();
+StepModule newReferences();
 StepModule elasticSolids();
 StepModule solidSubsteps();
 StepModule bodyForces();

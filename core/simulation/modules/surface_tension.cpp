@@ -5,16 +5,20 @@
 #include "core/simulation/ledger/energy_left.hpp"
 #include "core/simulation/modules/step_modules.hpp"
 #include "core/simulation/step_context.hpp"
+#include "core/simulation/sums/particle_sums.hpp"
 #include "core/simulation/views/views.hpp"
 #include "core/walls/wall_surface_energy.hpp"
 
 namespace thaw {
 
 StepModule surfaceEnergy() {
-  return {"surface tension as an energy",
-          [](const World& w, const TermWork&) { return w.modules.surfaceEnergy; },
-          {{ModulePhase::Density,
-            [](StepContext& c) { findSurfaceEnergy(c.walls, c.t.surface, c.t.walls.contacts); }}}};
+  return {
+      "surface tension as an energy",
+      [](const World& w, const TermWork&) { return w.modules.surfaceEnergy; },
+      {{ModulePhase::DensitySums,
+        [](StepContext& c) { c.t.sums.kernels->surfaceColours(pairSumsOf(c.w, c.t.sums), c.rows.groups); }},
+       {ModulePhase::Density,
+        [](StepContext& c) { findSurfaceEnergy(c.walls, c.t.surface, c.t.walls.contacts); }}}};
 }
 
 StepModule tensionByTemperature() {
@@ -30,6 +34,11 @@ StepModule tensionByCurvature() {
           [](const World& w, const TermWork&) { return actsByCurvature(w.scene.numerics, w.modules); },
           {{ModulePhase::FirstKick,
             [](StepContext& c) { recordCurvatureKick(wallView(c.w), HalfKick::First, c.dt); }},
+           {ModulePhase::DensitySums,
+            [](StepContext& c) {
+              if (isTensionDue(c.t.limits.tensionInterval, c.w.clock, c.dt))
+                c.t.sums.kernels->surfaceColours(pairSumsOf(c.w, c.t.sums), c.rows.groups);
+            }},
            {ModulePhase::ContinuumForce,
             [](StepContext& c) {
               if (isTensionDue(c.t.limits.tensionInterval, c.w.clock, c.dt))

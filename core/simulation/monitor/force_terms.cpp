@@ -61,8 +61,12 @@ ForceTerms forceTerms(World& w, StepTools& t, std::size_t i) {
     if (p.drag.active) std::fill_n(p.drag.data(), p.owned, Vec3d{});
     if (p.positionForce.active) std::fill_n(p.positionForce.data(), p.owned, Vec3d{});
     take(f.pressure, forceOf(p, i, [&] {
-           sumOverNeighbours(w, t, NeighbourPass::InnerForces);
-           sumOverNeighbours(w, t, NeighbourPass::BoundaryForces);
+           for (const Part part : {Part::Inner, Part::Boundary}) {
+             const PassRows rows = passRows(part, w.neighbours, p.owned, p.size());
+             sumForces(w, t, rows);
+             sumTerms(w, t, rows);
+           }
+           if (p.drag.active) addExplicitForces(p);
            if (p.positionForce.active) addPositionForces(p);
          }));
     f.viscosity = length(rest);

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "core/rigid/link_pieces.hpp"
-#include "core/simulation/body_types/redistribute.hpp"
+#include "core/simulation/body_types/redistribute_body_types.hpp"
 #include "core/solid/bonds/bond_records.hpp"
 #include "core/surface/resume_surface.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "core/heat/conduction_correction.hpp"
 #include "core/scene/tension_form.hpp"
-#include "core/simulation/body_types/redistribute.hpp"
+#include "core/simulation/body_types/redistribute_body_types.hpp"
 #include "core/simulation/setup/initial_fill.hpp"
 #include "core/simulation/setup/prepare_surface.hpp"
 

@@ -11,7 +11,7 @@
 #include "core/oriented/population/adaptive_sampling.hpp"
 #include "core/oriented/population/follow_interpolant.hpp"
 #include "core/oriented/population/redistribute_oriented.hpp"
-#include "core/simulation/body_types/redistribute.hpp"
+#include "core/simulation/body_types/redistribute_body_types.hpp"
 #include "core/simulation/views/views.hpp"
 
 namespace thaw {

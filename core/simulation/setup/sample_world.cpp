@@ -11,7 +11,7 @@
 #include "core/rigid/update_pieces.hpp"
 #include "core/sheet/region_overlaps.hpp"
 #include "core/simulation/body_types/cell_costs.hpp"
-#include "core/simulation/body_types/redistribute.hpp"
+#include "core/simulation/body_types/redistribute_body_types.hpp"
 #include "core/simulation/setup/estimates/size_hint.hpp"
 #include "core/simulation/setup/relax_packing.hpp"
 #include "core/simulation/setup/sample_bodies.hpp"

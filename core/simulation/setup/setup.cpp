@@ -25,7 +25,7 @@
 #include "core/sheet/prepare_sheets.hpp"
 #include "core/sheet/region_overlaps.hpp"
 #include "core/simulation/body_types/cell_costs.hpp"
-#include "core/simulation/body_types/redistribute.hpp"
+#include "core/simulation/body_types/redistribute_body_types.hpp"
 #include "core/simulation/ledger/report.hpp"
 #include "core/simulation/modules/step_modules.hpp"
 #include "core/simulation/monitor/monitor.hpp"

@@ -149,7 +149,8 @@ void searchInner(World& w, PairSumWork& work, PhaseTimes& times) {
   times.lap(StepPhase::Search);
 }
 
-/// Packs the records of a density pass, and searches the neighbours of its rows. elapsed: s, last step.
+}  // namespace
+
 void searchNeighbours(World& w, StepTools& t, Part part, double elapsed) {
   const Continuum& p = w.particles;
   RecordContext x = recordContext(w, t.liquids);
@@ -172,73 +173,50 @@ void searchNeighbours(World& w, StepTools& t, Part part, double elapsed) {
   }
 }
 
-/// elapsed: s, last step, over which liquids carry their density.
-void sumDensities(World& w, StepTools& t, GroupRange range, double elapsed) {
-  if (w.modules.fluid) {
-    PairSums sums = pairSumsOf(w, t.sums);
-    const CarryContext context = carryContext(w, t, elapsed);
-    CarryStep carry;
-    if (sums.carried) {
-      carry = carryStepOf(context);
-      sums.carry = &carry;
-      sums.positionVolume = t.sums.records.middle.data();
-    }
-    t.sums.kernels->density(sums, range);
-  }
-  const bool curvature = actsByCurvature(w.scene.numerics, w.modules) &&
-                         isTensionDue(t.limits.tensionInterval, w.clock, elapsed);
-  if (w.modules.surfaceEnergy || curvature) t.sums.kernels->surfaceColours(pairSumsOf(w, t.sums), range);
-  t.times.lap(StepPhase::Density);
+void sumDensities(World& w, StepTools& t, const PassRows& rows) {
+  t.sums.kernels->density(pairSumsOf(w, t.sums), rows.groups);
 }
 
-void sumForces(World& w, StepTools& t, NeighbourPass pass, GroupRange range) {
-  Continuum& p = w.particles;
-  const RecordContext x = recordContext(w, t.liquids);
-  const bool inner = pass == NeighbourPass::InnerForces;
-  const std::size_t begin = inner ? 0 : p.owned, end = inner ? p.owned : p.size();  // rows to pack
-  if (w.modules.fluid && !w.modules.incompressible) {  // else the pressure is computed at the end of the step
-    packPressure(x, p, begin, end, t.sums.records);
-    w.compressionKnown = !w.modules.uniform;
-  }
-  if (w.modules.flowLaw) packApparentViscosity(x, p, begin, end, t.sums.records);
-  const PairSums s = pairSumsOf(w, t.sums);
-  PairSums particleForces = s, positionForces = s;
-  if (p.positionForce.active) positionForces.force = p.positionForce.data();
-  if (p.drag.active)
-    particleForces.force = p.drag.data();  // viscosity only: the pressure is computed at the end of the
-                                           // step
-  if (w.modules.fluid || w.modules.heat) t.sums.kernels->forces(particleForces, range);
-  if (w.modules.contactConductance) {
-    packContactFaces(w.scene, p, begin, end, t.heat.contact);
-    addContactHeat(s, t.heat.contact, range);  // corrects the heat of contacts
-  }
-  for (const PairSweep* sweep : t.terms.sweeps) {
-    if (sweep->pack) sweep->pack(x, p, begin, end, t.sums.records);
-    (t.sums.kernels->*sweep->sum)(sweep->onto == PairTarget::PositionForce   ? positionForces
-                                  : sweep->onto == PairTarget::ExplicitForce ? particleForces
-                                                                             : s,
-                                  range);
-  }
-  if (w.modules.surfaceHeat) findExposedAreas(s, w.scene.numerics, p.exposedArea.data(), range);
-  if (w.modules.contact) {
-    if (inner) t.contact.closePairs.list.clear();
-    t.sums.kernels->closePairs(s, range, t.contact.closePairs);
-  }
-  if (!inner && p.drag.active)
-    for (std::size_t i = 0; i < p.owned; i++) p.force[i] += p.drag[i];
-  t.times.lap(StepPhase::Forces);
+void sumCarriedDensities(World& w, StepTools& t, const PassRows& rows, double elapsed) {
+  PairSums sums = pairSumsOf(w, t.sums);
+  const CarryContext context = carryContext(w, t, elapsed);
+  CarryStep carry = carryStepOf(context);
+  sums.carry = &carry;
+  sums.positionVolume = t.sums.records.middle.data();
+  t.sums.kernels->density(sums, rows.groups);
+}
+
+namespace {
+
+/// Sends a sum to the forces that do not depend on the pressure of this step.
+PairSums withExplicitForces(World& w, const PairSumWork& work) {
+  PairSums s = pairSumsOf(w, work);
+  if (w.particles.drag.active) s.force = w.particles.drag.data();
+  return s;
 }
 
 }  // namespace
 
-void sumOverNeighbours(World& w, StepTools& t, NeighbourPass pass, double elapsed) {
-  const bool inner = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::InnerForces;
-  const bool density = pass == NeighbourPass::InnerDensity || pass == NeighbourPass::BoundaryDensity;
-  if (density) searchNeighbours(w, t, inner ? Part::Inner : Part::Boundary, elapsed);
-  const NeighbourLists& lists = w.neighbours;
-  const GroupRange range{inner ? 0 : lists.innerGroups, inner ? lists.innerGroups : lists.groups};
-  if (density) sumDensities(w, t, range, elapsed);
-  else sumForces(w, t, pass, range);
+void sumForces(World& w, StepTools& t, const PassRows& rows) {
+  const RecordContext x = recordContext(w, t.liquids);
+  if (w.modules.fluid && !w.modules.incompressible) {  // else the pressure is computed at the end of the step
+    packPressure(x, w.particles, rows.begin, rows.end, t.sums.records);
+    w.compressionKnown = !w.modules.uniform;
+  }
+  if (w.modules.flowLaw) packApparentViscosity(x, w.particles, rows.begin, rows.end, t.sums.records);
+  t.sums.kernels->forces(withExplicitForces(w, t.sums), rows.groups);
+}
+
+void sumTerms(World& w, StepTools& t, const PassRows& rows) {
+  Continuum& p = w.particles;
+  const RecordContext x = recordContext(w, t.liquids);
+  for (const PairSweep* sweep : t.terms.sweeps) {
+    if (sweep->pack) sweep->pack(x, p, rows.begin, rows.end, t.sums.records);
+    PairSums s = sweep->onto == PairTarget::ExplicitForce ? withExplicitForces(w, t.sums)
+                                                          : pairSumsOf(w, t.sums);
+    if (sweep->onto == PairTarget::PositionForce && p.positionForce.active) s.force = p.positionForce.data();
+    (t.sums.kernels->*sweep->sum)(s, rows.groups);
+  }
 }
 
 namespace {
@@ -286,6 +264,10 @@ void sumPairForces(World& w, StepTools& t) {
 
 void addPositionForces(Continuum& p) {
   for (std::size_t i = 0; i < p.owned; i++) p.force[i] += p.positionForce[i];
+}
+
+void addExplicitForces(Continuum& p) {
+  for (std::size_t i = 0; i < p.owned; i++) p.force[i] += p.drag[i];
 }
 
 PairConstants constantsOf(const Scene& scene, const CellGrid& grid, const PairForceWork& work) {

@@ -2,6 +2,7 @@
 // The parts of a step that are sums over neighbour pairs.
 #pragma once
 #include "core/halo/halos.hpp"
+#include "core/simulation/sums/pass_rows.hpp"
 #include "core/simulation/workspace/step_tools.hpp"
 #include "core/simulation/world/world.hpp"
 #include "core/walls/wall_forces.hpp"
@@ -38,11 +39,21 @@ void sumUnitPressure(World& world, const std::vector<LiquidMaterial>& liquids, P
 void sumExcessPressure(World& world, CellHalo& halo, const std::vector<LiquidMaterial>& liquids,
                        PairSumWork& work);
 
-/// Inner passes cover particles whose neighbours are all owned, boundary passes the others. Density passes
-/// search first.
-enum class NeighbourPass { InnerDensity, BoundaryDensity, InnerForces, BoundaryForces };
-/// elapsed: s, last step, over which liquids carry their density.
-void sumOverNeighbours(World& world, StepTools& tools, NeighbourPass pass, double elapsed = 0);
+/// Packs the records of a pass and searches the neighbours of its rows. elapsed: s, last step.
+void searchNeighbours(World& world, StepTools& tools, Part part, double elapsed);
+
+/// Sums the densities of rows.
+void sumDensities(World& world, StepTools& tools, const PassRows& rows);
+/// The same, for liquids that carry their density over the last step, elapsed (s).
+void sumCarriedDensities(World& world, StepTools& tools, const PassRows& rows, double elapsed);
+
+/// Sums pressure, viscosity and conduction of pairs. With incompressible liquid, forces go to
+/// Continuum::drag: its pressure is computed at the end of the step.
+void sumForces(World& world, StepTools& tools, const PassRows& rows);
+/// Adds the pair sums of the scene's terms (ModelPart::sweeps). Requires: sumForces for these rows.
+void sumTerms(World& world, StepTools& tools, const PassRows& rows);
+/// Adds Continuum::drag to the force. Call it once, after its sums.
+void addExplicitForces(Continuum& particles);
 
 /// Adds the pair forces of extensions, with their energies. Requires: ghosts, and the records of this step.
 void sumPairForces(World& world, StepTools& tools);

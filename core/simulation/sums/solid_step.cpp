@@ -15,11 +15,12 @@
 #include "core/solid/melting.hpp"
 
 namespace thaw {
-namespace {
 
 ElasticStep elasticStep(const ElasticWork& elastic, double dt) {
   return {dt, elastic.energyInSteps, elastic.deformationInSteps};
 }
+
+namespace {
 
 /// Chooses the solids whose energy may change, if bonds or solids changed on this rank.
 void chooseActive(const Continuum& p, Solids& solids, const Bonds& bonds, BondHalo& halo,
@@ -71,17 +72,6 @@ void updateBondData(World& w, BondHalo& halo, SolidWork& work, SleepWork& sleep)
   forgetActiveSolids(work.elastic);
   refresh(halo, w.solids, remoteColumnsAfterRebuild(w.solids)).wait();
   w.counters.singularNeighbourhoods = refreshReference(work.elastic, w.solids, w.bonds, false);
-}
-
-/// Returns true if bonds form in this step on any rank. Welding is checked at the current positions, so a
-/// restart needs no extra state. froze: some particle just froze on some rank.
-bool bondsForm(World& w, Reducer& all, const SolidWork& work, bool froze) {
-  if (work.bondsAtStart || froze) return work.bondsAtStart || w.modules.freezing;
-  if (!w.modules.welding) return false;
-  double touch = touchesToWeld(w.particles, w.solids, w.bonds, w.neighbours,
-                               bondForming(w.scene, w.modules, work));
-  all.maximum({&touch, 1});
-  return touch > 0;
 }
 
 /// Records the energy of the particles that requested bonds, times `sign`: 1 before they have the bonds, -1
@@ -155,7 +145,7 @@ void bondScene(World& w, Halos& halos, SolidWork& work, SleepWork& sleep) {
 
 /// Makes the bonds of the start or after freezing. Existing stress does not change: F of older ends is taken
 /// into account.
-void makeBonds(World& w, Halos& halos, StepTools& t) {
+void requestBonds(World& w, Halos& halos, StepTools& t) {
   Continuum& p = w.particles;
   if (w.modules.rigidify) deformPassive(t.solid.elastic, w.solids, w.bonds);
   prepareBondForming(p, w.solids);
@@ -214,28 +204,29 @@ Exchange sendPositions(const Continuum& p, Solids& solids, const Bonds& bonds, B
   return refresh(halo, solids, remoteColumnsBeforeDeformation(solids));
 }
 
-Exchange deform(World& w, Halos halos, StepTools& t, double dt, SolidExchanges sent) {
-  dt /= w.clock.substeps;  // length of the last substep
-  ElasticStep now = elasticStep(t.solid.elastic, dt);
-  if (!fieldsDeferred(w.bonds, t.solid)) deformAll(w, halos, t, now, std::move(sent.positions));
-  if (bondsForm(w, halos.all, t.solid, t.phaseChange.frozeAnywhere)) {
-    const bool start = t.solid.bondsAtStart;
-    sent.densities.wait();  // since a halo has one refresh in flight
-    makeBonds(w, halos, t);
-    t.phaseChange.frozeAnywhere = false;
-    now.dt = 0;  // plastic flow is done
-    deformAll(w, halos, t, now, sendPositions(w.particles, w.solids, w.bonds, halos.bonds, t.solid));
-    if (!start) recordEnergyJump(w, t.solid, -1);
-    now.dt = dt;
-  }
-  if (w.modules.fracture)
-    w.counters.brokenBonds += breakBonds(t.solid.elastic, w.solids, w.bonds, now, w.ledger.phaseJump);
-  if (w.modules.plastic)
-    w.counters.rereferenced += rereference(t.solid.elastic, w.solids, w.bonds, now, w.ledger.phaseJump);
-  t.times.lap(StepPhase::Elastic);
-  Exchange stress = refresh(halos.bonds, w.solids, remoteColumnsBeforeForces(w.solids));
-  t.times.lap(StepPhase::Bonds);
-  return stress;
+void deformSolids(World& w, Halos halos, StepTools& t, double dt, Exchange positions) {
+  const ElasticStep now = elasticStep(t.solid.elastic, dt / w.clock.substeps);
+  if (!fieldsDeferred(w.bonds, t.solid)) deformAll(w, halos, t, now, std::move(positions));
+}
+
+bool bondsForm(World& w, Reducer& all, const StepTools& t) {
+  const SolidWork& work = t.solid;
+  if (work.bondsAtStart || t.phaseChange.frozeAnywhere) return work.bondsAtStart || w.modules.freezing;
+  if (!w.modules.welding) return false;
+  double touch = touchesToWeld(w.particles, w.solids, w.bonds, w.neighbours,
+                               bondForming(w.scene, w.modules, work));
+  all.maximum({&touch, 1});
+  return touch > 0;
+}
+
+void makeBonds(World& w, Halos halos, StepTools& t, double dt) {
+  const bool start = t.solid.bondsAtStart;
+  requestBonds(w, halos, t);
+  t.phaseChange.frozeAnywhere = false;
+  ElasticStep now = elasticStep(t.solid.elastic, dt / w.clock.substeps);
+  now.dt = 0;  // plastic flow is done
+  deformAll(w, halos, t, now, sendPositions(w.particles, w.solids, w.bonds, halos.bonds, t.solid));
+  if (!start) recordEnergyJump(w, t.solid, -1);
 }
 
 void addElasticForces(World& w, ElasticWork& elastic, PhaseTimes& times, double dt, Exchange stress) {

@@ -22,20 +22,23 @@ inline bool fieldsDeferred(const Bonds& bonds, const SolidWork& work) {
   return work.bondsAtStart && !bonds.vectors;
 }
 
+/// Returns the options of an elastic evaluation in a step of dt (s).
+ElasticStep elasticStep(const ElasticWork& elastic, double dt);
+
 /// Copies positions (velocities, liquid fractions) to the solids and sends them along the bonds. Collective.
 Exchange sendPositions(const Continuum& particles, Solids& solids, const Bonds& bonds, BondHalo& halo,
                        const SolidWork& work);
 
-/// Exchanges in flight when solids deform.
-struct SolidExchanges {
-  Exchange positions;   ///< from sendPositions
-  Exchange& densities;  ///< ghost densities; completed early if bonds form, since that exchanges other ghosts
-};
+/// Computes deformation, plastic flow and stress; waits for the positions of sendPositions.
+void deformSolids(World& world, Halos halos, StepTools& tools, double dt, Exchange positions);
 
-/// Computes deformation, plastic flow and stress. Then bonds break, form (at the start and after freezing),
-/// and large plastic flow moves into the reference. Returns the exchange of stress along bonds. Collective.
-/// Requires: neighbour lists if bonds form.
-Exchange deform(World& world, Halos halos, StepTools& tools, double dt, SolidExchanges sent);
+/// Returns true if bonds form in this step on any rank: at the start, after freezing, by welding. Welding is
+/// checked at the current positions, so a restart needs no extra state. Collective.
+bool bondsForm(World& world, Reducer& all, const StepTools& tools);
+
+/// Forms bonds, and computes deformation and stress with them. Requires: neighbour lists, and no refresh of
+/// ghosts in flight. Collective.
+void makeBonds(World& world, Halos halos, StepTools& tools, double dt);
 
 /// Adds elastic forces to the particles; waits for the stress of other ranks.
 void addElasticForces(World& world, ElasticWork& elastic, PhaseTimes& times, double dt, Exchange stress);

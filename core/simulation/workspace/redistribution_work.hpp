@@ -5,13 +5,18 @@
 #include <vector>
 
 #include "core/ledger/leaver.hpp"
+#include "core/neighbours/migration.hpp"
 #include "core/neighbours/sort.hpp"
 
 namespace thaw {
 
 struct RedistributionWork {
   SortBuffers sort;
+  std::size_t emitted = 0;             ///< the last owned rows are new, before they migrate
   std::vector<std::uint32_t> leaving;  ///< rows that leave the domain, ascending
+  std::vector<std::uint32_t> vapour;   ///< those that evaporated
+  Migration migration;                 ///< moves of this step
+  bool moved = false;                  ///< rows have changed their ranks, not only their order
   std::vector<Leaver> leavers;         ///< from all ranks; empty without surface tension
   bool mayLeave = true;                ///< a particle may be beyond an open side; false: the drift found none
   bool newPartition = true;            ///< cell owners may differ from the last evaluation

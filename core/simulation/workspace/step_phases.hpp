@@ -17,6 +17,9 @@ enum class ModulePhase {
   Drift,           ///< after the drift, x += v dt
   ObstaclesMoved,  ///< obstacles are at the end of the step
   // Redistribution
+  Emission,       ///< ghosts are gone: new particles
+  Leaving,        ///< rows beyond open sides are listed: further particles that vanish
+  Migrated,       ///< particles are on the ranks of their cells (RedistributionWork::migration), not sorted
   Redistributed,  ///< particles are on the ranks of their cells, sorted
   WallContacts,   ///< contacts of particles with walls are known
   // Density
@@ -24,9 +27,13 @@ enum class ModulePhase {
   BeforeDensity,  ///< rates are cleared; only with a search of neighbours
   InnerRows,      ///< before the sums of rows without ghosts among their neighbours; only with a search
   BoundaryRows,   ///< before the sums of the other rows, with ghosts present; only with a search
+  DensitySums,    ///< sums of densities over neighbours of StepContext::rows: inner rows, then boundary rows
   Density,        ///< sums over neighbours are known: densities, normals, viscosities
   // Forces
   Deformation,     ///< densities are being sent to ghosts: strain and stress of solids
+  NewBonds,        ///< densities have arrived; only if bonds form on some rank (StepContext::bondsForm)
+  Stress,          ///< bonds of this step are known: fracture, new references, stress
+  ForceSums,       ///< sums of forces over neighbours of StepContext::rows: inner rows, then boundary rows
   ContinuumForce,  ///< pair forces are known: further forces of the continuum
   Contact,         ///< contacts of solids
   Coupling,        ///< wall forces are known: forces between body types

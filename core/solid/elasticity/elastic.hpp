@@ -74,7 +74,7 @@ struct ElasticWork {
   std::vector<std::uint32_t> innerAwake, boundaryAwake;
   std::vector<std::uint8_t> plasticFixed;  ///< by owned solid: plastic strain is fixed; with
                                            ///< numerics.rigidify: it is passive (active_solids.hpp)
-  std::vector<double> groupStretch2;  ///< by group: largest squared stretch of the last evaluation
+  std::vector<double> groupStretch2;       ///< by group: largest squared stretch of the last evaluation
   // Velocity and drag by row, if bonds are damped; float or double by precision.
   AlignedVector<float> velocityDrag;
   AlignedVector<double> velocityDragDouble;

@@ -60,7 +60,7 @@ void addToComponentLog(const std::string& out, const Surface& surface, const Clo
 }
 
 VolumeErrors truncateComponentLog(const std::string& out, std::int64_t step) {
-  VolumeErrors volumeErrors;
+  VolumeErrors errors;
   std::ifstream file(componentLogPath(out));
   if (!file) {
     beginComponentLog(out);
