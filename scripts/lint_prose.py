@@ -76,7 +76,7 @@ def paragraphs(lines):
 def sentences(text):
     plain = re.sub(r'`[^`]*`|\$[^$]*\$', 'X', text)
     plain = re.sub(r'\[([^\]]*)\]\([^)]*\)', r'\1', plain)
-    return re.split(r'(?<=[.!?:;])\s+', plain)
+    return re.split(r'(?<=[.!?])\s+', plain)
 
 
 def longSentences(files):

@@ -25,7 +25,7 @@ struct StepContext {
   bool justFrozen = false;   ///< particles froze in the last step: contacts record their jump of energy
   bool contactNear = false;  ///< with Modules::rareContact: unbonded solids of this rank touch, or will soon
   VanishedWalls vanished = {};                ///< without walls unless some vanished in this step
-  PassRows rows = {};                         ///< of the present pass of sums over neighbours
+  PassRows rows = {};                         ///< rows of the present pass of sums
   Exchange solidPositions = {}, stress = {};  ///< in flight
   StepLimits limits = {};                     ///< s, of this rank's particles
   StepReduction reduction = {};

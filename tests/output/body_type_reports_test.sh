@@ -42,8 +42,8 @@ expectExit 0 "restart with another event"
 expectMessage "changed at the restart: oriented.net.event.0.time: 0.04 -> 0.045 s" \
   "restart with another event"
 launch 2 run "$work/net.toml" \
-  --steps 2 --set 'oriented.net.field=[{acceleration=[0,0,1],box={size=[0.1,0.1,0.1]},place={move=[0,0,0.8]}}]' \
-  --out "$work/idle" >"$work/log" 2>&1
+  --set 'oriented.net.field=[{acceleration=[0,0,1],box={size=[0.1,0.1,0.1]},place={move=[0,0,0.8]}}]' \
+  --steps 2 --out "$work/idle" >"$work/log" 2>&1
 expectExit 0 "a field without particles"
 expectMessage "warning: .*oriented body 'net': no particle is in this field as it begins, at 0 s" \
   "a field without particles"

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <utility>
 
+#include "core/halo/bonded_rows.hpp"
 #include "core/simulation/modules/step_modules.hpp"
 #include "core/simulation/solid_substeps.hpp"
-#include "core/halo/bonded_rows.hpp"
 #include "core/simulation/step_context.hpp"
 #include "core/simulation/sums/solid_step.hpp"
 #include "core/simulation/time/limits.hpp"

@@ -13,7 +13,7 @@ namespace thaw {
 /// covers the others.
 struct PassRows {
   Part part = Part::Inner;
-  GroupRange groups{0, 0};         ///< of the neighbour lists: rows whose sums are computed
+  GroupRange groups{0, 0};         ///< groups of neighbour lists whose sums are computed
   std::size_t begin = 0, end = 0;  ///< rows whose records become known: owned ones, then ghosts
 };
 

@@ -14,7 +14,7 @@ struct RedistributionWork {
   SortBuffers sort;
   std::size_t emitted = 0;             ///< the last owned rows are new, before they migrate
   std::vector<std::uint32_t> leaving;  ///< rows that leave the domain, ascending
-  std::vector<std::uint32_t> vapour;   ///< those that evaporated
+  std::vector<std::uint32_t> vapour;   ///< leaving rows that evaporated
   Migration migration;                 ///< moves of this step
   bool moved = false;                  ///< rows have changed their ranks, not only their order
   std::vector<Leaver> leavers;         ///< from all ranks; empty without surface tension
