@@ -80,6 +80,7 @@ else()
 endif()
 
 add_library(thaw_view STATIC ${view_sources})
+thaw_unity(thaw_view ${view_sources})
 target_precompile_headers(thaw_view REUSE_FROM thaw_io)
 target_link_libraries(thaw_view PUBLIC thaw_io PRIVATE ZLIB::ZLIB)  # a part of PNG::PNG
 if(httplib)

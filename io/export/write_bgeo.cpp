@@ -5,6 +5,7 @@
 #include <bit>
 #include <limits>
 
+#include "io/export/mesh_fields.hpp"
 #include "io/export/out_file.hpp"
 #include "io/export/polylines.hpp"
 #include "io/export/texture_seams.hpp"
@@ -74,10 +75,6 @@ struct BgeoPoint {
     out.put(radius), out.put(id), out.put(temperature), out.put(liquid), out.put(component);
   }
 };
-
-template<class T> T valueAt(const std::vector<T>& values, std::size_t i, const T& otherwise) {
-  return i < values.size() ? values[i] : otherwise;
-}
 
 std::int32_t shortId(const std::vector<std::uint64_t>& ids, std::size_t i) {
   return i < ids.size() ? static_cast<std::int32_t>(ids[i] & 0x7fffffff) : -1;

@@ -9,11 +9,7 @@
 #include "io/run/failure_text.hpp"
 
 namespace thaw {
-namespace {
-
-std::string text(const Vec3d& v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x, v.y, v.z); }
-
-}  // namespace
+namespace {}  // namespace
 
 std::string bodyTypeFailure(const World& w, const StepTools& t, const StepOutcome& failed, Reducer& all) {
   const Failure failure = failed.failure;
@@ -63,7 +59,7 @@ std::string bodyTypeFailure(const World& w, const StepTools& t, const StepOutcom
                      oriented ? "oriented particle" : "vertex",
                      rows->id[row] & ((std::uint64_t(1) << 40) - 1),
                      oriented ? w.scene.oriented[body].name : w.scene.sheets[body].name,
-                     text(rows->position[row]), text(rows->velocity[row]));
+                     vectorText(rows->position[row]), vectorText(rows->velocity[row]));
 }
 
 }  // namespace thaw

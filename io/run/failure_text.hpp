@@ -16,6 +16,9 @@ std::string failureText(World& world, StepTools& tools, const StepOutcome& faile
 /// Returns the failed check and its bound, without a particle.
 std::string failedCheck(const World& world, const StepTools& tools, const StepOutcome& failed);
 
+/// Returns "(x, y, z)" with four digits each.
+std::string vectorText(const Vec3d& v);
+
 /// Returns on all ranks the text of the one rank where it is not empty. Collective.
 std::string broadcastFromOwner(const Communicator& comm, const std::string& text);
 

@@ -17,7 +17,7 @@ namespace thaw {
 namespace {
 
 constexpr double aim = 4;                              // s, of the coarse run
-constexpr double mostSeconds = 10;                     // s
+constexpr double mostSecondsOfRun = 10;                // s
 constexpr double leastFactor = 2, mostFactor = 4;      // 1, larger spacings resemble the scene too little
 constexpr std::size_t coldSteps = 5, firstSteps = 40;  // the first steps fill caches and allocate
 
@@ -34,7 +34,7 @@ double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PE
 /// step fails. Collective, the same result on all ranks.
 std::vector<Mark> runToEnd(const Communicator& comm, MpiSimulation& simulation) {
   const Clock& clock = simulation.world.clock;
-  const double start = processorSeconds(), until = secondsNow() + mostSeconds;
+  const double start = processorSeconds(), until = secondsNow() + mostSecondsOfRun;
   std::vector<Mark> marks;
   for (int over = 0; !over && clock.time < clock.end;) {
     if (simulation.step().failure != Failure::None) return {};
@@ -65,7 +65,7 @@ std::optional<RunGrowth> growthOfCoarseRun(const Communicator& comm, const Tried
   MPI_Bcast(&estimate, 1, MPI_DOUBLE, 0, comm.handle());
   // time is inversely proportional to the fourth power of the spacing
   const double factor = std::clamp(std::pow(estimate / aim, 0.25), leastFactor, mostFactor);
-  if (!(estimate / std::pow(factor, 4) < mostSeconds)) return std::nullopt;
+  if (!(estimate / std::pow(factor, 4) < mostSecondsOfRun)) return std::nullopt;
   RunGrowth growth{factor * spacing};
   MpiSimulation simulation(comm);
   const World& w = simulation.world;

@@ -13,13 +13,13 @@ void addBytes(std::vector<char>& out, std::span<const char> bytes) {
   out.insert(out.end(), bytes.begin(), bytes.end());
 }
 
-void addNumber(std::vector<char>& out, std::uint64_t value) {
+void addInteger(std::vector<char>& out, std::uint64_t value) {
   const char* bytes = reinterpret_cast<const char*>(&value);
   out.insert(out.end(), bytes, bytes + sizeof(value));
 }
 
 void addPacked(std::vector<char>& out, const std::vector<char>& packed) {
-  addNumber(out, packed.size());
+  addInteger(out, packed.size());
   addBytes(out, packed);
 }
 
@@ -83,23 +83,23 @@ std::vector<CrateSection> CrateStructure::sections() const {
                                 {"FIELDSETS", {}}, {"PATHS", {}},   {"SPECS", {}}};
   std::vector<char> text;
   for (const std::string& t : tokens_) addBytes(text, {t.c_str(), t.size() + 1});
-  addNumber(all[0].bytes, tokens_.size());
-  addNumber(all[0].bytes, text.size());
+  addInteger(all[0].bytes, tokens_.size());
+  addInteger(all[0].bytes, text.size());
   addPacked(all[0].bytes, crateCompressed(text));
-  addNumber(all[1].bytes, strings_.size());
+  addInteger(all[1].bytes, strings_.size());
   addBytes(all[1].bytes, bytesOf(strings_));
-  addNumber(all[2].bytes, fieldTokens_.size());
+  addInteger(all[2].bytes, fieldTokens_.size());
   addPacked(all[2].bytes, crateIntegers(fieldTokens_));
   addPacked(all[2].bytes, crateCompressed(bytesOf(fieldReps_)));
-  addNumber(all[3].bytes, sets_.size());
+  addInteger(all[3].bytes, sets_.size());
   addPacked(all[3].bytes, crateIntegers(sets_));
   Paths paths;
   addPaths(root_, false, paths);
-  addNumber(all[4].bytes, paths.paths.size());
-  addNumber(all[4].bytes, paths.paths.size());
+  addInteger(all[4].bytes, paths.paths.size());
+  addInteger(all[4].bytes, paths.paths.size());
   for (const auto* column : {&paths.paths, &paths.tokens, &paths.jumps})
     addPacked(all[4].bytes, crateIntegers(*column));
-  addNumber(all[5].bytes, specPaths_.size());
+  addInteger(all[5].bytes, specPaths_.size());
   for (const auto* column : {&specPaths_, &specSets_, &specTypes_})
     addPacked(all[5].bytes, crateIntegers(*column));
   return all;

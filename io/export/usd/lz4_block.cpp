@@ -38,7 +38,7 @@ void addSequence(std::span<const char> literals, std::size_t match, std::size_t 
   if (rest >= 15) addLength(rest - 15, out);
 }
 
-template<class T> void addNumber(std::vector<char>& out, T value) {
+template<class T> void addLittleEndian(std::vector<char>& out, T value) {
   const char* bytes = reinterpret_cast<const char*>(&value);
   out.insert(out.end(), bytes, bytes + sizeof(T));
 }
@@ -101,7 +101,7 @@ std::vector<char> crateCompressed(std::span<const char> data) {
   for (std::size_t at = 0; at < data.size(); at += mostInput) {
     std::vector<char> block;
     addLz4Block(data.subspan(at, std::min(mostInput, data.size() - at)), block);
-    addNumber(out, static_cast<std::int32_t>(block.size()));
+    addLittleEndian(out, static_cast<std::int32_t>(block.size()));
     out.insert(out.end(), block.begin(), block.end());
   }
   return out;
@@ -115,14 +115,14 @@ std::vector<char> crateIntegers(std::span<const std::int32_t> values) {
     const std::int32_t d = differenceAt(values, i);
     unsigned code = 0;
     if (d == common) continue;
-    if (d == static_cast<std::int8_t>(d)) code = 1, addNumber(rest, static_cast<std::int8_t>(d));
-    else if (d == static_cast<std::int16_t>(d)) code = 2, addNumber(rest, static_cast<std::int16_t>(d));
-    else code = 3, addNumber(rest, d);
+    if (d == static_cast<std::int8_t>(d)) code = 1, addLittleEndian(rest, static_cast<std::int8_t>(d));
+    else if (d == static_cast<std::int16_t>(d)) code = 2, addLittleEndian(rest, static_cast<std::int16_t>(d));
+    else code = 3, addLittleEndian(rest, d);
     codes[i / 4] = static_cast<char>(static_cast<unsigned char>(codes[i / 4]) | code << 2 * (i % 4));
   }
   std::vector<char> plain;
   plain.reserve(4 + codes.size() + rest.size());
-  addNumber(plain, common);
+  addLittleEndian(plain, common);
   plain.insert(plain.end(), codes.begin(), codes.end());
   plain.insert(plain.end(), rest.begin(), rest.end());
   return crateCompressed(plain);

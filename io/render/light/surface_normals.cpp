@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "io/image/linear_light.hpp"
+
 namespace thaw {
 
 namespace {
@@ -14,11 +16,6 @@ struct Cell {
 };
 Cell cellOf(const Vec3f& p, float edge) {
   return {cellAlong(p.x, edge), cellAlong(p.y, edge), cellAlong(p.z, edge)};
-}
-
-float ramp(float from, float to, float x) {
-  const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
-  return t * t * (3 - 2 * t);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace thaw {
 namespace {
 
-constexpr const char* head =
+constexpr const char* headLine =
     "frame,step,time_s,component,particles,surfels,mass_kg,particle_volume_m3,volume_m3,area_m2,x_m,y_m,z_m,"
     "wanted_volume_m3,open\n";
 
@@ -45,7 +45,7 @@ std::string missingCommas(const std::string& line) {
 std::string componentLogPath(const std::string& out) { return out + "/surface.csv"; }
 std::string eventLogPath(const std::string& out) { return out + "/events.csv"; }
 
-void beginComponentLog(const std::string& out) { replaceTextFile(componentLogPath(out), head); }
+void beginComponentLog(const std::string& out) { replaceTextFile(componentLogPath(out), headLine); }
 
 void addToComponentLog(const std::string& out, const Surface& surface, const Clock& clock) {
   std::string lines;  // numbers have as many digits as make them unique
@@ -68,7 +68,7 @@ VolumeErrors truncateComponentLog(const std::string& out, std::int64_t step) {
   }
   std::stringstream all;
   all << file.rdbuf();
-  std::string kept = head, line;
+  std::string kept = headLine, line;
   std::vector<SurfaceComponent> frame;
   std::int64_t frameStep = -1;
   double time = 0;

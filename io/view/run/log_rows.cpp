@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Column {
+struct LogColumn {
   std::string name;
   std::size_t at;  ///< number of the cell in a line
   Json values;
@@ -72,17 +72,17 @@ Json logRows(const LogRequest& q) {
   std::size_t stride = 1;
   while (rows / stride > std::max<std::size_t>(q.most, 1)) stride *= 2;
   log["rows"] = rows;
-  std::vector<Column> wanted;
+  std::vector<LogColumn> wanted;
   for (const std::string& name : q.columns)
     if (const auto at = std::find(names.begin(), names.end(), name); at != names.end())
       wanted.push_back({name, static_cast<std::size_t>(at - names.begin()), Json::array()});
   for (std::size_t row = 1; row < lines.size(); row++) {
     if ((row - 1) % stride != 0 && row + 1 != lines.size()) continue;
     const std::vector<std::string_view> cells = cellsOf(lines[row]);
-    for (Column& column : wanted)
+    for (LogColumn& column : wanted)
       column.values.push_back(column.at < cells.size() ? valueOf(cells[column.at]) : Json(nullptr));
   }
-  for (Column& column : wanted) log["columns"][column.name] = std::move(column.values);
+  for (LogColumn& column : wanted) log["columns"][column.name] = std::move(column.values);
   return log;
 }
 
