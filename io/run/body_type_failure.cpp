@@ -59,7 +59,7 @@ std::string bodyTypeFailure(const World& w, const StepTools& t, const StepOutcom
                      oriented ? "oriented particle" : "vertex",
                      rows->id[row] & ((std::uint64_t(1) << 40) - 1),
                      oriented ? w.scene.oriented[body].name : w.scene.sheets[body].name,
-                     vectorText(rows->position[row]), vectorText(rows->velocity[row]));
+                     shortVectorText(rows->position[row]), shortVectorText(rows->velocity[row]));
 }
 
 }  // namespace thaw

@@ -12,7 +12,7 @@
 
 namespace thaw {
 
-std::string vectorText(const Vec3d& v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x, v.y, v.z); }
+std::string shortVectorText(const Vec3d& v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x, v.y, v.z); }
 
 namespace {
 
@@ -91,8 +91,8 @@ std::string failureText(World& w, StepTools& t, const StepOutcome& o, const Fail
                                            : "emitter '" + w.scene.emitters[source - bodies].name;
   std::string line = fmt::format(
       "{}: particle {} of {}' at {} m has a velocity of {} m/s and a force of {} N", seen(w, t, o, s),
-      numberOf(p.id[i]), name, vectorText(p.position[i]), vectorText(p.velocity[i]),
-      vectorText(forceOf(w.particles, w.scene, i)));
+      numberOf(p.id[i]), name, shortVectorText(p.position[i]), shortVectorText(p.velocity[i]),
+      shortVectorText(forceOf(w.particles, w.scene, i)));
   const ForceTerms f = forceTerms(w, t, i);
   std::vector<std::pair<double, std::string>> terms;
   const auto add = [&](bool has, const char* term, double size) {

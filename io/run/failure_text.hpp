@@ -17,7 +17,7 @@ std::string failureText(World& world, StepTools& tools, const StepOutcome& faile
 std::string failedCheck(const World& world, const StepTools& tools, const StepOutcome& failed);
 
 /// Returns "(x, y, z)" with four digits each.
-std::string vectorText(const Vec3d& v);
+std::string shortVectorText(const Vec3d& v);
 
 /// Returns on all ranks the text of the one rank where it is not empty. Collective.
 std::string broadcastFromOwner(const Communicator& comm, const std::string& text);
