@@ -40,7 +40,7 @@ struct BarLayout {
         margin(28 * unit),
         beside(9 * unit),
         wide(std::max(6, static_cast<int>(20 * unit))),
-        ticks(ticksBetween(scale.min, scale.max, 6)),
+        ticks(ticksBetween(scale.min, scale.max, 6, scale.whole ? 1 : 0)),
         title(scale.unit.empty() || scale.unit == "1" ? scale.title : scale.title + " [" + scale.unit + "]") {
     for (const std::string& l : ticks.labels) widest = std::max(widest, textWidth(l, text));
   }
@@ -49,7 +49,7 @@ struct BarLayout {
 
 }  // namespace
 
-Ticks ticksBetween(double min, double max, int most) {
+Ticks ticksBetween(double min, double max, int most, double least) {
   Ticks ticks;
   if (!(max > min) || !std::isfinite(max - min)) {
     ticks.values.push_back(min);
@@ -60,6 +60,7 @@ Ticks ticksBetween(double min, double max, int most) {
   double step = power;
   for (double factor : {2.0, 5.0, 10.0})
     if ((max - min) / step > most) step = factor * power;
+  step = std::max(step, least);
   for (double k = std::ceil(min / step - 1e-9); k * step <= max + 1e-9 * step; k++) {
     ticks.values.push_back(k * step);
     ticks.labels.push_back(label(k * step, step, std::max(std::abs(min), std::abs(max))));

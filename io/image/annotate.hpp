@@ -11,12 +11,12 @@
 namespace thaw {
 
 /// Round numbers (steps of 1, 2 or 5 times a power of ten) within [min, max], at most about `most` of them,
-/// with labels.
+/// with labels. Steps are at least `least`.
 struct Ticks {
   std::vector<double> values;
   std::vector<std::string> labels;
 };
-Ticks ticksBetween(double min, double max, int most);
+Ticks ticksBetween(double min, double max, int most, double least = 0);
 
 /// Returns the width (pixels) of a colour bar with its texts in a picture of a given height (pixels).
 int colourBarWidth(const ColourScale& scale, int height);

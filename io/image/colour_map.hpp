@@ -28,6 +28,7 @@ struct ColourScale {
   double min = 0, max = 1;  ///< in `unit`; numbers outside get the colour of the nearer end
   ColourMap map = ColourMap::Ember;
   std::string title, unit;  ///< "temperature", "K"
+  bool whole = false;       ///< all values are integers, such as numbers of materials: so are the ticks
 };
 
 /// Returns an index into a palette; 0 for not-a-number.

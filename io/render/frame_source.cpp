@@ -211,6 +211,11 @@ std::vector<Vec3f> inSinglePrecision(const std::vector<Vec3d>& positions) {
   return out;
 }
 
+/// Returns whether the values of a column are integers.
+bool isWhole(const FrameColumn& column) {
+  return column.components == 1 && column.element != Element::F32 && column.element != Element::F64;
+}
+
 /// Sets the values from a column; throws IoError without one.
 void setValues(FrameView& view, const FrameColumn* column, const fs::path& frame, const std::string& field,
                const std::string& more) {
@@ -220,6 +225,7 @@ void setValues(FrameView& view, const FrameColumn* column, const fs::path& frame
     throw IoError(frame.string(), "no field '" + field + "'; there are: " + names + more);
   }
   view.unit = column->unit;
+  view.whole = isWhole(*column);
   view.values.resize(view.positions.size());
   for (std::size_t i = 0; i < view.values.size(); i++) view.values[i] = lengthOfRow(*column, i);
 }
@@ -313,6 +319,7 @@ void addSheets(const fs::path& file, const std::string& field, FrameView& view) 
   std::vector<float> values;
   if (const FrameColumn* column = data.find(name)) {
     if (view.unit.empty()) view.unit = column->unit;
+    view.whole = isWhole(*column);
     for (std::size_t i = 0; i < positions.size(); i++) values.push_back(lengthOfRow(*column, i));
   }
   std::vector<Rgb> colours(positions.size(), Rgb{200, 200, 200});

@@ -27,6 +27,7 @@ struct Survey {
   ViewBox box;
   double min = 1e300, max = -1e300;
   std::string unit;
+  bool whole = true;  ///< all values are integers
   double lastTime = 0;
   double spacing = 0;  ///< m, estimated; used only if none is given
 };
@@ -57,6 +58,7 @@ Survey survey(const FrameJob& job, const ReadFrame& read) {
     for (float v : frame.values)
       if (std::isfinite(v)) s.min = std::min<double>(s.min, v), s.max = std::max<double>(s.max, v);
     if (s.unit.empty()) s.unit = frame.unit;
+    s.whole = s.whole && (frame.whole || frame.values.empty());
     s.lastTime = std::max(s.lastTime, frame.time);
     if (s.spacing == 0 && !box.empty() && frame.normals.empty())
       s.spacing = guessSpacing(frame.positions, box);
@@ -174,8 +176,12 @@ std::vector<fs::path> renderFrames(const FrameJob& job, const ReadFrame& read) {
                             : fittedCamera(common.box, static_cast<double>(job.width) / job.height);
   style.spacing = job.spacing > 0 ? job.spacing : static_cast<float>(common.spacing);
   const bool coloured = common.min <= common.max;
-  style.colours = {job.min.value_or(coloured ? common.min : 0), job.max.value_or(coloured ? common.max : 1),
-                   job.map, job.field == "glow" ? "temperature" : job.field, common.unit};
+  style.colours = {job.min.value_or(coloured ? common.min : 0),
+                   job.max.value_or(coloured ? common.max : 1),
+                   job.map,
+                   job.field == "glow" ? "temperature" : job.field,
+                   common.unit,
+                   common.whole};
 
   makeFolder(job.out);
   const int threads = job.threads > 0 ? job.threads

@@ -22,6 +22,7 @@ struct FrameView {
   std::vector<float> values;     ///< values of the requested field (length of a vector, Frobenius norm of a
                                  ///< tensor); empty if there is none
   std::string unit;              ///< unit of the values
+  bool whole = false;            ///< the values are integers
   std::vector<float> sizes;      ///< cube roots of particles' volumes, in spacings; empty: all are 1
   // for surfels only, else empty
   std::vector<Vec3f> normals;  ///< unit, outward

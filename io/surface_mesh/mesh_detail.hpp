@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Meshes of surface components with a choice of detail.
 #pragma once
+#include "core/walls/walls.hpp"
 #include "io/surface_mesh/surface_mesh.hpp"
 
 namespace thaw {
@@ -9,7 +10,9 @@ struct MeshDetail {
   double cell = 1;           ///< edge of the cubes, over the mean radius of the surfels
   double mostOfSize = 0.15;  ///< largest edge of the cubes, over the size of the component; 0.15 keeps drops
                              ///< of a few surfels spherical
-  bool improved = true;      ///< without slivers (improve_triangles.hpp), which takes most of the time
+  const Walls* walls = nullptr;  ///< at the time of the frame: the mesh ends at those that no surfel is deep
+                                 ///< in
+  bool improved = true;          ///< without slivers (improve_triangles.hpp), which takes most of the time
 };
 
 /// As meshOfComponent, with this detail.

@@ -12,10 +12,13 @@
 #include "core/geometry/shapes/shape_mesh.hpp"
 #include "io/image/image.hpp"
 #include "io/scene/scene_for_all.hpp"
+#include "io/surface_mesh/even_triangles.hpp"
 
 namespace thaw {
 
 namespace {
+
+constexpr double cellsAcross = 80;  // cubes along the longest side of a polygonised shape
 
 bool isCut(const Shape& shape) {
   return shape.kind == ShapeKind::Difference || shape.kind == ShapeKind::Intersection ||
@@ -52,13 +55,49 @@ TriangleMesh planeMesh(const Vec3d& normal, double height, const Domain& domain)
     polygon = clipped(polygon, axis, domain.max[a] + margin);
     polygon = clipped(polygon, -axis, -domain.min[a] + margin);
   }
-  TriangleMesh mesh;
-  mesh.vertices = polygon.size() >= 3 ? polygon : square;
-  for (std::uint32_t k = 2; k < mesh.vertices.size(); k++) mesh.triangles.push_back({0, k - 1, k});
-  return mesh;
+  return evenPolygon(polygon.size() >= 3 ? polygon : square);
 }
 
-TriangleMesh meshOf(const Obstacle& obstacle, const Domain& domain) {
+double largestSize(const SignedDistance& distance) {
+  const Bounds box = distance.bounds();
+  const Vec3d size = box.max - box.min;
+  return std::max({size.x, size.y, size.z});
+}
+
+double volumeOf(const TriangleMesh& mesh) {
+  double volume = 0;
+  for (const auto& t : mesh.triangles)
+    volume += dot(mesh.vertices[t[0]], cross(mesh.vertices[t[1]], mesh.vertices[t[2]])) / 6;
+  return volume;
+}
+
+/// Returns a mesh around surfels at the vertices of a polygonised shape; the mesh itself if it loses thin
+/// parts.
+TriangleMesh resurfaced(const TriangleMesh& marched, const SignedDistance& distance, double edge) {
+  constexpr double most = 0.01;  // difference of the volumes
+  SurfaceFrame surfels;
+  ComponentRows rows;
+  for (const Vec3d& x : marched.vertices) {
+    Vec3d normal;
+    const double away = distance.distanceWithin(x, edge, &normal);
+    rows.rows.push_back(static_cast<std::uint32_t>(surfels.positions.size()));
+    surfels.positions.push_back(x - away * normal);
+    surfels.normals.push_back(single(normal));
+    surfels.radii.push_back(static_cast<float>(edge));
+  }
+  surfels.colours.assign(surfels.positions.size(), Rgb{});
+  TriangleMesh even = meshOfComponent(surfels, rows, surfels.colours).mesh;
+  const double volume = volumeOf(marched);
+  return std::abs(volumeOf(even) - volume) <= most * volume ? even : marched;
+}
+
+TriangleMesh evenMesh(const Shape& shape, const SignedDistance& distance) {
+  const double largest = largestSize(distance);
+  if (!isCut(shape)) return evenShapeMesh(shape, 2e-3 * largest, meshLoader());
+  return resurfaced(boundedMesh(shape, distance), distance, largest / cellsAcross);
+}
+
+TriangleMesh meshOf(const Obstacle& obstacle, const Domain& domain, ObstacleTriangles kind) {
   const auto distance = makeSignedDistance(obstacle.shape, meshLoader());
   const Bounds box = distance->bounds();
   const Vec3d size = box.max - box.min;
@@ -67,7 +106,8 @@ TriangleMesh meshOf(const Obstacle& obstacle, const Domain& domain) {
     const double away = distance->distance({}, &normal);
     return planeMesh(normal, -away, domain);
   }
-  return boundedMesh(obstacle.shape, *distance);
+  return kind == ObstacleTriangles::Even ? evenMesh(obstacle.shape, *distance)
+                                         : boundedMesh(obstacle.shape, *distance);
 }
 
 /// Returns a mesh with normals, whose vertices are separate where edges are sharp.
@@ -98,20 +138,18 @@ ComponentMesh withNormals(const TriangleMesh& mesh, const Vec3f& colour) {
 }  // namespace
 
 TriangleMesh boundedMesh(const Shape& shape, const SignedDistance& distance) {
-  const Bounds box = distance.bounds();
-  const Vec3d size = box.max - box.min;
-  const double largest = std::max({size.x, size.y, size.z});
+  const double largest = largestSize(distance);
   if (!isCut(shape)) return shapeMesh(shape, 2e-3 * largest, meshLoader());
-  constexpr double cells = 80;
-  const double edge = largest / cells;
+  const Bounds box = distance.bounds();
+  const double edge = largest / cellsAcross;
   const Vec3d margin{2 * edge, 2 * edge, 2 * edge};
   return polygonise([&](const Vec3d& x) { return distance.distanceWithin(x, 2 * edge); },
                     {box.min - margin, box.max + margin}, edge);
 }
 
-ComponentMesh obstacleMesh(const Obstacle& obstacle, const Domain& domain) {
+ComponentMesh obstacleMesh(const Obstacle& obstacle, const Domain& domain, ObstacleTriangles kind) {
   const Rgb c = rgbOf(obstacle.colour);
-  return withNormals(meshOf(obstacle, domain),
+  return withNormals(meshOf(obstacle, domain, kind),
                      {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)});
 }
 

@@ -42,9 +42,18 @@ struct PlaneSums {
   }
 };
 
+/// Ends the surface where obstacles begin: planes of sharp edges meet beyond the surfels, in the obstacle.
+void endAtObstacles(const ObstacleDistance& obstacles, const Vec3d& x, double& height, Vec3f& normal) {
+  if (!obstacles) return;
+  Vec3d gradient{};
+  const double inside = -obstacles(x, gradient);
+  if (inside > height) height = inside, normal = single(-gradient);
+}
+
 }  // namespace
 
-PlaneField::PlaneField(const SurfaceFrame& frame, double margin) : frame_(frame), margin_(margin) {
+PlaneField::PlaneField(const SurfaceFrame& frame, double margin, ObstacleDistance obstacles)
+    : frame_(frame), margin_(margin), obstacles_(std::move(obstacles)) {
   for (const float radius : frame.radii) farthest_ = std::max(farthest_, planeReach * radius + margin);
   fillBins(frame.positions.data(), frame.positions.size(), 0.5 * farthest_, bins_);
 }
@@ -82,21 +91,24 @@ PlaneHeight PlaneField::at(const Vec3d& x) const {
   h.normal = single(sums.normal);
   h.colour = single(sums.colour / sums.weight);
   h.known = true;
+  endAtObstacles(obstacles_, x, h.value, h.normal);
   return h;
 }
 
-BandHeights heightsAround(const SurfaceFrame& frame, BandGrid& grid) {
+BandHeights heightsAround(const SurfaceFrame& frame, BandGrid& grid, const ObstacleDistance& obstacles) {
   const auto reach = [&](std::size_t i) { return planeReach * frame.radii[i] + grid.spacing(); };
   struct Nearest {
     double distance2 = std::numeric_limits<double>::infinity();
     std::size_t row = 0;
+    Vec3d place{};
   };
   std::vector<Nearest> nearest;
   for (std::size_t i = 0; i < frame.radii.size(); i++)
     grid.forCornersNear(frame.positions[i], reach(i), [&](const BandGrid::Corner& c, const Vec3d& away) {
       const auto slot = static_cast<std::size_t>(grid.makeSlot(c));
       if (slot >= nearest.size()) nearest.push_back({});
-      if (dot(away, away) < nearest[slot].distance2) nearest[slot] = {dot(away, away), i};
+      if (dot(away, away) < nearest[slot].distance2)
+        nearest[slot] = {dot(away, away), i, frame.positions[i] + away};
     });
   std::vector<PlaneSums> sums(nearest.size());
   for (std::size_t i = 0; i < frame.radii.size(); i++) {
@@ -109,10 +121,12 @@ BandHeights heightsAround(const SurfaceFrame& frame, BandGrid& grid) {
     });
   }
   BandHeights heights;
-  for (const PlaneSums& s : sums) {
+  for (std::size_t slot = 0; slot < sums.size(); slot++) {
+    const PlaneSums& s = sums[slot];
     heights.values.push_back(s.height());
     const double l = length(s.normal);
     heights.normals.push_back(l > 0 ? single(s.normal / l) : Vec3f{});
+    endAtObstacles(obstacles, nearest[slot].place, heights.values.back(), heights.normals.back());
     heights.colours.push_back(single(s.colour / s.weight));
   }
   return heights;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Implicit surface of surfels: the weighted mean of their planes.
 #pragma once
+#include <functional>
 #include <vector>
 
 #include "core/surface/search/bins.hpp"
@@ -23,13 +24,16 @@ struct PlaneHeight {
   bool known = false;
 };
 
+/// Signed distance (m) to the obstacles that end a surface, above 0 outside of them, and its gradient.
+using ObstacleDistance = std::function<double(const Vec3d& x, Vec3d& gradient)>;
+
 /// Implicit moving least squares (KO05) over the nearest surfels, corrected for curvature by the
 /// mean normal. Planes of a curved surface lie outside of it. The chord to a surfel is perpendicular to the
 /// mean of both normals, on a sphere exactly.
 class PlaneField {
  public:
-  /// Reads positions, normals, radii and colours of the frame. margin: m.
-  PlaneField(const SurfaceFrame& frame, double margin);
+  /// Reads positions, normals, radii and colours of the frame. margin: m. obstacles: empty for none.
+  PlaneField(const SurfaceFrame& frame, double margin, ObstacleDistance obstacles = {});
   PlaneHeight at(const Vec3d& x) const;
   /// Returns whether a disc with a similar normal covers the position.
   bool onDisc(const Vec3d& x, const Vec3f& normal) const;
@@ -37,6 +41,7 @@ class PlaneField {
  private:
   const SurfaceFrame& frame_;
   double margin_, farthest_ = 0;
+  ObstacleDistance obstacles_;
   Bins bins_;
 };
 
@@ -49,6 +54,6 @@ struct BandHeights {
 
 /// Makes a slot for each corner in reach of a surfel, with the spacing of the grid as the margin. Returns
 /// PlaneField::at there, up to rounding, in one pass over the surfels.
-BandHeights heightsAround(const SurfaceFrame& frame, BandGrid& grid);
+BandHeights heightsAround(const SurfaceFrame& frame, BandGrid& grid, const ObstacleDistance& obstacles = {});
 
 }  // namespace thaw

@@ -24,7 +24,8 @@ struct Patch {
   PeriodicSides sides;
   std::array<bool, 3> cut{};  // per axis
   Vec3d low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-  double radius = 0;  // m, mean
+  double radius = 0;           // m, mean
+  ObstacleDistance obstacles;  // empty for none
   Vec3f meanColour{};
   double largest() const { return std::max({high.x - low.x, high.y - low.y, high.z - low.z}); }
 };
@@ -136,10 +137,35 @@ void turnNormalsOutward(ComponentMesh& m) {
   }
 }
 
+/// Returns the distance to the walls near a component. Walls with a surfel that is deeper than its radius are
+/// left out: they overlap the body.
+ObstacleDistance distanceToWalls(const SurfaceFrame& surfels, const Walls& walls) {
+  std::vector<const Wall*> near;
+  for (const Wall& wall : walls.list) {
+    double least = never;  // distance over radius
+    for (std::size_t i = 0; wall.present && i < surfels.radii.size() && !(least < -1); i++) {
+      const double radius = surfels.radii[i];
+      least = std::min(
+          least, wall.shape->distanceWithin(toRest(wall.pose, surfels.positions[i]), 4 * radius) / radius);
+    }
+    if (least >= -1 && least < 4) near.push_back(&wall);
+  }
+  if (near.empty()) return {};
+  return [near](const Vec3d& x, Vec3d& gradient) {
+    double least = never;
+    for (const Wall* wall : near) {
+      Vec3d normal{};
+      const double d = wall->shape->distance(toRest(wall->pose, x), &normal);
+      if (d < least) least = d, gradient = directionFromRest(wall->pose, normal);
+    }
+    return least;
+  };
+}
+
 ComponentMesh meshAt(const Patch& p, double spacing, bool improved) {
   BandGrid grid = gridAround(p, spacing);
-  const BandHeights heights = heightsAround(p.frame, grid);
-  const PlaneField planes(p.frame, grid.spacing());
+  const BandHeights heights = heightsAround(p.frame, grid, p.obstacles);
+  const PlaneField planes(p.frame, grid.spacing(), p.obstacles);
   std::vector<std::uint8_t> isInside(grid.slots());
   for (std::size_t s = 0; s < isInside.size(); s++) isInside[s] = heights.values[s] < 0;
   grid.classify(isInside);
@@ -178,8 +204,9 @@ ComponentMesh detailedMeshOfComponent(const SurfaceFrame& frame, const Component
                                       const MeshDetail& detail) {
   ComponentMesh mesh;
   mesh.component = component.component;
-  const Patch own = patchOf(frame, component, colours, sides);
+  Patch own = patchOf(frame, component, colours, sides);
   if (own.frame.radii.empty()) return mesh;
+  if (detail.walls) own.obstacles = distanceToWalls(own.frame, *detail.walls);
   const double asked = detail.cell * own.radius;
   double edge = std::min(asked, detail.mostOfSize * own.largest());
   for (int n = 0; n < 4 && edge > 0.01 * own.radius && mesh.mesh.triangles.empty(); n++, edge *= 0.5) {

@@ -39,7 +39,7 @@ def sceneOf(**keys: object) -> thaw.Scene:
     return thaw.Scene({**scene, **keys})
 
 
-def lift(sim: thaw.Simulation) -> thaw.Obstacle:
+def lift(sim: thaw.Simulation) -> thaw.DrivenObstacle:
     """Moves the plate upwards, from the present time on."""
     plate = sim.obstacles['plate']
 

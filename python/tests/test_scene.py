@@ -103,11 +103,12 @@ def test_entries_of_lists_are_set_by_name_or_number() -> None:
 def test_builders_have_the_keys_of_the_table(core) -> None:
     scene = thaw.Scene(
         spacing='5 cm',
-        domain=thaw.SceneDomain(min=[-1, -1, -1], max=[1, 1, 1]),
+        domain=thaw.Domain(min=[-1, -1, -1], max=[1, 1, 1]),
         material=[thaw.Material('wax', density=900, young='300 kPa')],
         body=[thaw.Body(name='ball', sphere={'radius': 0.2}, material='wax')],
-        obstacle=thaw.ObstacleBody(name='floor', plane={'point': [0, 0, -0.5], 'normal': [0, 0, 1]}),
+        obstacle=thaw.Obstacle(name='floor', plane={'point': [0, 0, -0.5], 'normal': [0, 0, 1]}),
     )
+    assert scene['obstacle.plane.normal'] == [0, 0, 1] and scene['domain.max'] == [1, 1, 1]
     report = scene.check()
     assert report and report.particles > 100, report
     assert list(inspect.signature(thaw.Material).parameters)[0] == 'name'

@@ -18,16 +18,16 @@ from typing import Any
 
 from .build import (
     Body,
+    Domain,
     Emitter,
     HeatedRegion,
     Lamp,
     Laser,
     Material,
     Numerics,
-    ObstacleBody,
+    Obstacle,
     OrientedBody,
     Output,
-    SceneDomain,
     SheetBody,
     SurfaceSettings,
     Thermostat,
@@ -49,13 +49,13 @@ from .frame import Frame, Oriented, Sheets, Surface
 from .frames import Frames
 from .log import Log
 from .mesh import Mesh
-from .obstacles import Obstacle, Obstacles
+from .obstacles import DrivenObstacle, Obstacles
 from .points import Field, Points
 from .run import Run
 from .run import openRun as open  # noqa: A001
 from .picture import Picture
 from .scene import Scene, SceneReport
-from .scene_text import Domain
+from .scene_text import RunDomain
 from .rows import Rows
 from .simulation import Simulation
 from .summary import Summary
@@ -70,6 +70,7 @@ __all__ = [
     'Comparison',
     'DamageWarning',
     'Domain',
+    'DrivenObstacle',
     'Emitter',
     'Field',
     'FieldDifference',
@@ -86,7 +87,6 @@ __all__ = [
     'MissingError',
     'Numerics',
     'Obstacle',
-    'ObstacleBody',
     'Obstacles',
     'Oriented',
     'OrientedBody',
@@ -96,8 +96,8 @@ __all__ = [
     'ProgramError',
     'Rows',
     'Run',
+    'RunDomain',
     'Scene',
-    'SceneDomain',
     'SceneError',
     'SceneReport',
     'SheetBody',

@@ -12,16 +12,16 @@ from ._load import schemaText
 
 __all__ = [
     "Body",
+    "Domain",
     "Emitter",
     "HeatedRegion",
     "Lamp",
     "Laser",
     "Material",
     "Numerics",
-    "ObstacleBody",
+    "Obstacle",
     "OrientedBody",
     "Output",
-    "SceneDomain",
     "SheetBody",
     "SurfaceSettings",
     "Thermostat",
@@ -103,7 +103,7 @@ class Emitter(Table):
     table, about = "emitter", "An opening that emits particles: an element of Scene(emitter=[...])."
 
 
-class ObstacleBody(Table):
+class Obstacle(Table):
     table, about = (
         "obstacle",
         "A rigid object that particles cannot enter: an element of Scene(obstacle=[...]).",
@@ -137,7 +137,7 @@ class HeatedRegion(Table):
     )
 
 
-class SceneDomain(Table):
+class Domain(Table):
     table, about = "domain", "The simulated box: Scene(domain=...)."
 
 

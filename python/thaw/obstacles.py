@@ -9,12 +9,12 @@ import numpy as np
 
 from ._load import core
 
-__all__ = ["Obstacle", "Obstacles"]
+__all__ = ["DrivenObstacle", "Obstacles"]
 
 ZERO = (0.0, 0.0, 0.0)
 
 
-class Obstacle:
+class DrivenObstacle:
     """An obstacle of the scene that the program moves: `ball = sim.obstacles["ball"]`.
 
     All ranks make the same calls. The pose maps the shape of the scene, with its `place`:
@@ -88,8 +88,8 @@ class Obstacle:
 
     def __repr__(self) -> str:
         if self._core is None:
-            return f"<Obstacle {self.name} of a closed simulation>"
-        return f"<Obstacle {self.name} at {self.position.tolist()} m>"
+            return f"<DrivenObstacle {self.name} of a closed simulation>"
+        return f"<DrivenObstacle {self.name} at {self.position.tolist()} m>"
 
 
 class Obstacles(Mapping):
@@ -104,11 +104,11 @@ class Obstacles(Mapping):
     def __init__(self, simulation: Any, names: Sequence[str]):
         self._simulation: Any = simulation
         self._names = list(names)
-        self._known: Dict[str, Obstacle] = {}
+        self._known: Dict[str, DrivenObstacle] = {}
 
-    def __getitem__(self, name: str) -> Obstacle:
+    def __getitem__(self, name: str) -> DrivenObstacle:
         if name not in self._known:
-            self._known[name] = Obstacle(self._simulation, name)
+            self._known[name] = DrivenObstacle(self._simulation, name)
         return self._known[name]
 
     def _release(self) -> None:

@@ -12,7 +12,7 @@ from .errors import DamageWarning, FileError, MissingError
 from .frame import Frame
 from .frames import Frames
 from .log import Log
-from .scene_text import Domain, domainOf, namesOf, sceneOf, spacingOf
+from .scene_text import RunDomain, domainOf, namesOf, sceneOf, spacingOf
 from .series import findFrames
 from .snapshot import snapshotOfCheckpoint
 from .summary import Summary, isLive, readSummary
@@ -101,8 +101,8 @@ class Run:
         return namesOf(sceneOf(self.scene, self.path), 'particles')
 
     @property
-    def domain(self) -> Domain:
-        """The simulated box: `Domain(min, max, periodic)`, m."""
+    def domain(self) -> RunDomain:
+        """The simulated box: `RunDomain(min, max, periodic)`, m."""
         return domainOf(sceneOf(self.scene, self.path), self.path)
 
     @property

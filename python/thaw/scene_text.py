@@ -26,7 +26,7 @@ PREFIXES = {
 TABLES = {'particles': ('body', 'emitter'), 'sheets': ('sheet',), 'oriented': ('oriented',)}
 
 
-class Domain(NamedTuple):
+class RunDomain(NamedTuple):
     """The simulated box: `min` and `max`, float64 (3,), m, and `periodic`, bool (3,)."""
 
     min: np.ndarray
@@ -69,7 +69,7 @@ def lengthOf(value: Any, path: str) -> float:
     return float(match[1]) * (0.0254 if match[3] else PREFIXES[match[2]])
 
 
-def domainOf(scene: Dict[str, Any], path: str) -> Domain:
+def domainOf(scene: Dict[str, Any], path: str) -> RunDomain:
     domain = scene.get('domain', {})
 
     def corner(name: str, default: float) -> np.ndarray:
@@ -80,7 +80,7 @@ def domainOf(scene: Dict[str, Any], path: str) -> Domain:
 
     sides = domain.get('sides', {})
     periodic = np.array([isPeriodic(sides.get(axis, 'open')) for axis in 'xyz'])
-    return Domain(corner('min', -1.0), corner('max', 1.0), periodic)
+    return RunDomain(corner('min', -1.0), corner('max', 1.0), periodic)
 
 
 def spacingOf(scene: Dict[str, Any], path: str) -> float:

@@ -351,7 +351,7 @@ class Simulation:
 
     @property
     def obstacles(self) -> Obstacles:
-        """Obstacles by name, which the program may move and whose loads it may read. See Obstacle."""
+        """Obstacles by name, which the program may move and whose loads it may read. See DrivenObstacle."""
         if self._obstacles is None:
             self._obstacles = Obstacles(self._core, core().obstacle_names(self._core))
         return self._obstacles

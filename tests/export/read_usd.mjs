@@ -118,6 +118,8 @@ isNear('light', 'inputs:angle', 4);
 isNear('light_2', 'xformOp:transform', [...Array(8), 0, -1, 0, 0, 0, 0, 0, 1]);
 isNear('light_2', 'inputs:color', [1, 0, 0]);
 isNear('light_2', 'inputs:intensity', 0.44 * Math.PI);
+isNear('camera', 'userProperties:background', [0.2158605, 0.2158605, 0.2158605]);
+isNear('camera', 'userProperties:background_top', [0, 0, 1]);
 isNear('sky', 'inputs:intensity', 0.5 * 0.58);
 isNear('lid', 'primvars:displayOpacity', 0.25); // glass
 
@@ -139,7 +141,8 @@ linesOf(crate).forEach((line, k) => {
   assert.ok(line === other, `crate and text differ: ${line.slice(0, 200)} | ${other.slice(0, 200)}`);
 });
 for (const part of ['def Mesh "surface"', 'def Points "particles"', 'def Camera "camera"',
-    'primvars:displayColor', 'def DistantLight "light"', 'def DistantLight "light_2"', 'def DomeLight "sky"'])
+    'custom color3f userProperties:background = (', 'primvars:displayColor', 'def DistantLight "light"',
+    'def DistantLight "light_2"', 'def DomeLight "sky"'])
   assert.ok(crate.includes(part), part);
 const first = /point3f\[\] points\.timeSamples = \{\s*0: \[\(([^)]*)\)/.exec(crate)[1].split(',').map(Number);
 ['x', 'y', 'z'].forEach((name, c) =>

@@ -248,6 +248,7 @@ export class App {
         unit: this.colouring.unit,
         ...range,
         map: settings.map,
+        whole: fieldsOf(shown).find(({ name }) => name === settings.field.name)?.whole,
       });
     else this.bar.hide();
   }

@@ -17,6 +17,7 @@
 #include "core/simulation/setup/sample_bodies.hpp"
 #include "core/simulation/setup/setup.hpp"
 #include "core/simulation/setup/start_fields.hpp"
+#include "core/simulation/setup/warnings/falling_liquid.hpp"
 #include "core/simulation/setup/warnings/start_warnings.hpp"
 #include "core/simulation/setup/warnings/thick_flow.hpp"
 #include "core/simulation/setup/warnings/thin_walls.hpp"
@@ -118,6 +119,7 @@ SamplingReport sampleWorld(World& w, Halos halos, StepTools& t, const MeshLoader
       report.warnings.push_back({w.scene.emitters[e].where, much});
   append(thickFlows(w.scene, w.modules, t.limits.fixed), report.warnings);
   append(thinWalls(w, shapes, report.particles, halos.all), report.warnings);
+  append(fallingLiquids(w, shapes, t.sources.emitters, report.particles, halos.all), report.warnings);
   t.oriented.begins = true;
   const std::vector<std::vector<Vec3d>> oriented = sampleBodyTypes(w, halos, t.redistribution.sort, load,
                                                                    report.warnings);

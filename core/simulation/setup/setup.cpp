@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -39,6 +40,7 @@
 #include "core/simulation/setup/relax_packing.hpp"
 #include "core/simulation/setup/start_fields.hpp"
 #include "core/simulation/setup/warnings/compressed_liquid.hpp"
+#include "core/simulation/setup/warnings/fixed_step.hpp"
 #include "core/simulation/setup/warnings/start_warnings.hpp"
 #include "core/simulation/setup/warnings/thick_flow.hpp"
 #include "core/simulation/setup/warnings/thin_walls.hpp"
@@ -187,6 +189,35 @@ void setScales(const World& w, StepTools& t) {
   if (m.surfaceEnergy) t.surface = surfaceMeasure(n, w.scene.spacing);
 }
 
+/// As initializeForces(). Returns the limits (s) of the first step.
+StepLimits initializeWithLimits(World& w, Halos halos, StepTools& t) {
+  Continuum& p = w.particles;
+  t.times.start();
+  const double fixed = w.scene.numerics.fixedStep;
+  // Used until particle limits are known.
+  w.clock.dt = fixed > 0 ? fixed : t.limits.fixed[t.limits.fixed.smallest()];
+  if (fieldsDeferred(w.bonds, t.solid))
+    for (AnyColumn* c : columnsOfSteps(w.solids, t.solid.elastic)) w.solids.deactivate(*c);
+  evaluateNow(w, halos, t);
+  if (!w.modules.neighbours) {  // only needed for the bonds of the start
+    w.neighbours = {};
+    t.sums.records = {};
+    t.sums.search = {};
+  }
+  dropBuffersOfStart(w.particles, t.redistribution.sort);
+  t.mass = totalMass(w.particles, halos.all);
+  const LedgerReport now = reportLedger(w, t, halos.all);
+  w.ledger.initial = now.now;
+  // Particles emitted at time 0 are part of the start, and so are gains and losses of relaxation.
+  w.ledger.entered = w.ledger.left = {};
+  StepContext c = stepContext(w, halos, t, 0);
+  reduceStep(c, {}, {});
+  const double half = 0.5 * nextStep(w.clock);  // the first half kick, which no step records
+  for (std::size_t i = 0; i < p.owned; i++) p.dissipated[i] = p.dissipation[i] * half;
+  prepareNextStep(w, halos, t);  // dissipates the part of the initial velocities that would compress liquids
+  return c.commonLimits;
+}
+
 }  // namespace
 
 void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
@@ -217,31 +248,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   t.phases = phasesOf(w, t.terms);
 }
 
-void initializeForces(World& w, Halos halos, StepTools& t) {
-  Continuum& p = w.particles;
-  t.times.start();
-  const double fixed = w.scene.numerics.fixedStep;
-  // Used until particle limits are known.
-  w.clock.dt = fixed > 0 ? fixed : t.limits.fixed[t.limits.fixed.smallest()];
-  if (fieldsDeferred(w.bonds, t.solid))
-    for (AnyColumn* c : columnsOfSteps(w.solids, t.solid.elastic)) w.solids.deactivate(*c);
-  evaluateNow(w, halos, t);
-  if (!w.modules.neighbours) {  // only needed for the bonds of the start
-    w.neighbours = {};
-    t.sums.records = {};
-    t.sums.search = {};
-  }
-  dropBuffersOfStart(w.particles, t.redistribution.sort);
-  t.mass = totalMass(w.particles, halos.all);
-  const LedgerReport now = reportLedger(w, t, halos.all);
-  w.ledger.initial = now.now;
-  // Particles emitted at time 0 are part of the start, and so are gains and losses of relaxation.
-  w.ledger.entered = w.ledger.left = {};
-  reduceStep(w, halos, t, {}, {});
-  const double half = 0.5 * nextStep(w.clock);  // the first half kick, which no step records
-  for (std::size_t i = 0; i < p.owned; i++) p.dissipated[i] = p.dissipation[i] * half;
-  prepareNextStep(w, halos, t);  // dissipates the part of the initial velocities that would compress liquids
-}
+void initializeForces(World& w, Halos halos, StepTools& t) { initializeWithLimits(w, halos, t); }
 
 SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader& load,
                           const ParticleChange& change) {
@@ -251,9 +258,9 @@ SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader&
   t.solid.bondsAtStart = w.modules.solid;
   t.rigid.atStart = w.modules.rigid && !w.modules.rigidify;
   t.sources.emitFirst = true;
-  initializeForces(w, halos, t);
-  for (SceneWarning& warning : compressedLiquids(w, t.liquids, halos.all))
-    report.warnings.push_back(std::move(warning));
+  const StepLimits limits = initializeWithLimits(w, halos, t);
+  std::ranges::move(compressedLiquids(w, t.liquids, halos.all), std::back_inserter(report.warnings));
+  std::ranges::move(longFixedStep(w.scene, nextStep(w.clock), limits), std::back_inserter(report.warnings));
   w.startDensity = {};
   return report;
 }

@@ -25,7 +25,7 @@ std::vector<ExportObject> obstaclesOf(const Scene& scene, std::vector<std::strin
     if (obstacle.look == ObstacleLook::Glass && obstacle.shape.kind != ShapeKind::HalfSpace)
       object.opacity = glassOpacity;
     try {
-      object.parts.push_back(obstacleMesh(obstacle, scene.domain));
+      object.parts.push_back(obstacleMesh(obstacle, scene.domain, ObstacleTriangles::Even));
     } catch (const std::exception& error) {  // the mesh file may be missing on this machine
       warnings.push_back(fmt::format("obstacle {} is left out: {}", object.name, error.what()));
     }

@@ -12,6 +12,7 @@
 #include "io/export/export_surface.hpp"
 #include "io/hdf5/io_error.hpp"
 #include "io/image/parallel_for.hpp"
+#include "io/surface_mesh/mesh_detail.hpp"
 
 namespace thaw {
 
@@ -144,7 +145,7 @@ void addFieldsOfSurfels(ComponentMesh& mesh, const SurfaceFrame& frame, const Co
 }
 
 std::vector<ComponentMesh> meshesOf(const SurfaceFrame& frame, const std::vector<Rgb>& colours,
-                                    const GatherJob& job, const PeriodicSides& sides) {
+                                    const GatherJob& job, const PeriodicSides& sides, const Walls& walls) {
   const std::vector<ComponentRows> components = rowsByComponent(frame);
   const std::size_t rows = frame.positions.size();
   const SurfelFields fields{vectorsOf(frame.find("velocity"), rows),
@@ -152,7 +153,8 @@ std::vector<ComponentMesh> meshesOf(const SurfaceFrame& frame, const std::vector
                             uvsOf(frame.find("uv"), rows)};
   std::vector<ComponentMesh> meshes(components.size());
   parallelFor(components.size(), job.threads, [&](std::size_t c) {
-    meshes[c] = meshOfComponent(frame, components[c], colours, sides, job.options->cell);
+    meshes[c] = detailedMeshOfComponent(frame, components[c], colours, sides,
+                                        {.cell = job.options->cell, .walls = &walls});
     if (!meshes[c].mesh.triangles.empty()) addFieldsOfSurfels(meshes[c], frame, components[c], fields, sides);
   });
   return meshes;
@@ -208,8 +210,11 @@ void gatherSurface(const FrameGroup& group, const GatherJob& job, ExportScene& s
   if (job.format->keepsSurfels && job.contents == surfaceContent && !job.options->mesh) {
     notes.summary = fmt::format("{} surfels", frame.positions.size());
   } else {
+    Walls walls;
+    if (const auto stored = job.scenes->of(group.first(), notes.warnings)) walls = stored->picture.walls;
+    moveWalls(walls, scene.time);
     ExportObject surface{"surface", ExportKind::Surface, {}, {}, false};
-    surface.parts = meshesOf(frame, scene.surfelColours, job, scene.periodic);
+    surface.parts = meshesOf(frame, scene.surfelColours, job, scene.periodic, walls);
     const auto empty = static_cast<std::size_t>(
         std::erase_if(surface.parts, [](const ComponentMesh& m) { return m.mesh.triangles.empty(); }));
     nameMeshes(scene.sourceNames, surface.parts);

@@ -42,6 +42,7 @@ struct UsdAttributeType {
   std::string name, type;     ///< "primvars:displayColor", "color3f[]"
   std::string interpolation;  ///< "vertex", "constant", or empty
   bool isUniform = false;     ///< it cannot change in time
+  bool isCustom = false;      ///< it is not part of the prim's schema
 };
 
 struct UsdAttribute {

@@ -118,6 +118,18 @@ UsdPrimSample pointsPrim(const ExportPoints& points, const UsdFile& file) {
   return std::move(maker.prim);
 }
 
+/// Adds the background of pictures, which USD has no schema for: importers show such attributes as properties
+/// of the user.
+void addBackground(const Lighting& lighting, PrimMaker& maker) {
+  const auto add = [&](const char* name, const std::optional<Rgb>& c) {
+    if (!c) return;
+    const Vec3f colour{static_cast<float>(c->r), static_cast<float>(c->g), static_cast<float>(c->b)};
+    maker.add({name, "color3f", "", false, true}, linearColour(colour), true);
+  };
+  add("userProperties:background", lighting.background);
+  add("userProperties:background_top", lighting.backgroundTop);
+}
+
 UsdPrimSample cameraPrim(const RenderStyle& style, const UsdFile& file) {
   const View view = viewOf(style.camera, style.width, style.height);
   const Vec3f back = -view.forward;
@@ -130,6 +142,7 @@ UsdPrimSample cameraPrim(const RenderStyle& style, const UsdFile& file) {
   maker.add("float", "horizontalAperture", static_cast<float>(tall * style.width / style.height));
   maker.add("float2", "clippingRange",
             Vec2f{static_cast<float>(1e-3 * away), static_cast<float>(1e3 * away)});
+  addBackground(style.lighting, maker);
   addTransform(maker,
                {view.right.x, view.right.y, view.right.z, 0, view.up.x, view.up.y, view.up.z, 0, back.x,
                 back.y, back.z, 0, from.x, from.y, from.z, 1},

@@ -33,7 +33,7 @@ struct UsdFrame {
 ///
 /// Each object is a Mesh with points, normals, velocities and primvars (displayColor in linear light,
 /// temperature, liquid, component). Moving obstacles have a transform. Particles are Points with widths, ids
-/// and velocities. Lights are those of pictures.
+/// and velocities. Lights are those of pictures, and so is the background, an attribute of the camera.
 UsdFrame usdFrameOf(const ExportScene& scene, const UsdFile& file);
 
 /// Layer that grows frame by frame.

@@ -112,8 +112,8 @@ class Usda : public UsdFile {
   }
 
   void writeAttribute(const UsdAttribute& a, const std::string& indent) {
-    const std::string name = fmt::format("{}{}{} {}", indent, a.type.isUniform ? "uniform " : "", a.type.type,
-                                         a.type.name);
+    const std::string name = fmt::format("{}{}{}{} {}", indent, a.type.isCustom ? "custom " : "",
+                                         a.type.isUniform ? "uniform " : "", a.type.type, a.type.name);
     if (a.value) {
       out_.text(name + " = ");
       copyValue(*a.value);

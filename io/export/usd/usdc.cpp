@@ -196,6 +196,7 @@ class Usdc : public UsdFile {
   void addAttribute(const UsdAttribute& a, CrateNode& parent) {
     CrateNode& node = structure_.addNode(parent, a.type.name, true);
     std::vector<CrateField> fields{{"typeName", rep(UsdToken{a.type.type})}};
+    if (a.type.isCustom) fields.push_back({"custom", rep(true)});
     if (a.type.isUniform)
       fields.push_back({"variability", crateRep(CrateType::Variability) | crateIsInlined | 1});
     if (!a.type.interpolation.empty())

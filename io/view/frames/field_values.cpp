@@ -8,10 +8,13 @@
 #include "core/math/hash_random.hpp"
 
 namespace thaw {
+namespace {
 
-bool isLabel(const std::string& name, Element element) {
-  return name != "neighbours" && element != Element::F32 && element != Element::F64;
-}
+bool isWhole(Element element) { return element != Element::F32 && element != Element::F64; }
+
+}  // namespace
+
+bool isLabel(const std::string& name, Element element) { return name != "neighbours" && isWhole(element); }
 
 nlohmann::ordered_json describeFields(const FrameInfo& info) {
   nlohmann::ordered_json fields = nlohmann::ordered_json::array();
@@ -22,7 +25,8 @@ nlohmann::ordered_json describeFields(const FrameInfo& info) {
     fields.push_back({{"name", f.name},
                       {"unit", f.unit},
                       {"components", std::max(f.shape.components, 1)},
-                      {"label", isLabel(f.name, f.shape.element)}});
+                      {"label", isLabel(f.name, f.shape.element)},
+                      {"whole", isWhole(f.shape.element)}});
   }
   return fields;
 }

@@ -6,12 +6,13 @@ import { numberText } from '../text.js';
 
 const MOST_LABELS = 12;
 
-/// Returns about five round numbers between two others.
-export function ticksOf(min, max) {
+/// Returns about five round numbers between two others, `least` or more apart.
+export function ticksOf(min, max, least = 0) {
   if (!(max > min)) return [min];
   const rough = (max - min) / 5,
     power = 10 ** Math.floor(Math.log10(rough));
-  const step = [1, 2, 5, 10].map((k) => k * power).find((s) => s >= rough);
+  const round = [1, 2, 5, 10].map((k) => k * power).find((s) => s >= rough);
+  const step = Math.max(round, least);
   const ticks = [];
   for (let k = Math.ceil(min / step - 1e-9); k * step <= max + 1e-9 * step; k++) ticks.push(k * step);
   return ticks;
@@ -26,7 +27,8 @@ export class ColourBar {
     this.parent.hidden = true;
   }
 
-  showValues({ title, unit, min, max, map }) {
+  /// whole: all values are integers, and so are the ticks.
+  showValues({ title, unit, min, max, map, whole }) {
     const palette = paletteOf(map);
     const canvas = make('canvas', { width: 1, height: 256 });
     const context = canvas.getContext('2d'),
@@ -34,7 +36,7 @@ export class ColourBar {
     for (let k = 0; k < 256; k++) picture.data.set(palette.subarray(4 * (255 - k), 4 * (256 - k)), 4 * k);
     context.putImageData(picture, 0, 0);
     const share = (v) => (max > min ? (v - min) / (max - min) : 0);
-    const ticks = ticksOf(min, max).map((v) =>
+    const ticks = ticksOf(min, max, whole ? 1 : 0).map((v) =>
       make('span', {
         className: 'tick',
         textContent: numberText(Number(v.toPrecision(6))),

@@ -5,19 +5,14 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/domain/emit.hpp"
 #include "core/scene/modules.hpp"
+#include "core/simulation/setup/warnings/chosen_rows.hpp"
 
 namespace thaw {
 namespace {
 
 constexpr double mostLookedAt = 20000;  // particles per body
 constexpr double leastShare = 0.02;     // fraction in thin walls; sharp edges do not count
-
-/// Hashes an id to a number in [0, 1) that is independent of the lattice.
-double scattered(std::uint64_t number) {
-  return static_cast<double>((number * 0x9e3779b97f4a7c15u) >> 32) / 4294967296.0;
-}
 
 /// Returns true if something other than body b is liquid, at the start or later.
 bool othersAreLiquid(const Scene& s, const Modules& m, std::size_t b) {
@@ -74,8 +69,8 @@ std::vector<SceneWarning> thinWalls(const World& w,
   for (std::size_t i = 0; i < p.owned; i++) {
     const std::size_t b = p.body[i];
     if (b >= n || !wanted[b] || p.phase[i] != Solid) continue;
+    if (!chosenById(p.id[i], particles[b], mostLookedAt)) continue;
     const std::uint64_t number = numberOf(p.id[i]);
-    if (scattered(number) * static_cast<double>(particles[b]) > mostLookedAt) continue;
     counts[2 * b]++;
     if (!WallThere(*shapes[b], p.position[i], least).thinner(p.position[i], least)) continue;
     counts[2 * b + 1]++;

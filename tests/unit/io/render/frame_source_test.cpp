@@ -33,6 +33,7 @@ class FrameSource : public testing::Test {
     H5File file = H5File::create(path.string());
     for (const char* group : {"/VTKHDF", "/VTKHDF/PointData", "/VTKHDF/FieldData"}) file.createGroup(group);
     std::vector<double> points(3 * count), temperature(count), stress(6 * count);
+    const std::vector<std::uint16_t> material(count);
     for (std::size_t i = 0; i < count; i++) {
       points[3 * i] = 0.1 * static_cast<double>(i % 5), points[3 * i + 1] = 0.1 * static_cast<double>(i / 5),
                  points[3 * i + 2] = time;
@@ -46,6 +47,7 @@ class FrameSource : public testing::Test {
     file.writeAll("/VTKHDF/PointData/temperature", {Element::F64, count, 0}, temperature.data());
     file.writeAll("/VTKHDF/PointData/stress", {Element::F64, count, 6}, stress.data());
     file.setText("/VTKHDF/PointData/temperature", "units", "K");
+    file.writeAll("/VTKHDF/PointData/material", {Element::U16, count, 0}, material.data());
     std::vector<double> volumes;
     for (const double edge : edges) volumes.push_back(edge * edge * edge);
     if (!edges.empty()) file.writeAll("/VTKHDF/PointData/volume", {Element::F64, count, 0}, volumes.data());
@@ -77,7 +79,13 @@ TEST_F(FrameSource, ReadsPositionsTimeAndAField) {
   EXPECT_FLOAT_EQ(view.values[7], std::sqrt(0.2f * 0.2f + 0.1f * 0.1f + 0.25f * 0.25f));
   EXPECT_FLOAT_EQ(readFrameView(path, "stress").values[3], std::sqrt(9.0f + 2 * 16.0f));
   EXPECT_TRUE(readFrameView(path, "").values.empty());
-  EXPECT_EQ(fieldsOf(path), (std::vector<std::string>{"stress", "temperature", "velocity"}));
+  EXPECT_EQ(fieldsOf(path), (std::vector<std::string>{"material", "stress", "temperature", "velocity"}));
+}
+
+TEST_F(FrameSource, FieldsOfIntegersAreWhole) {
+  const fs::path path = writeFrame("a_0.hdf", 0, 10);
+  EXPECT_TRUE(readFrameView(path, "material").whole);
+  EXPECT_FALSE(readFrameView(path, "temperature").whole);
 }
 
 TEST_F(FrameSource, ParticlesHaveTheSizeOfTheirVolume) {
@@ -109,7 +117,7 @@ TEST_F(FrameSource, EveryErrorNamesTheFile) {
            text = folder / "frames" / "text.hdf";
   EXPECT_NE(errorOf([&] {
               readFrameView(path, "colour");
-            }).find("no field 'colour'; there are: stress, temperature, velocity"),
+            }).find("no field 'colour'; there are: material, stress, temperature, velocity"),
             std::string::npos);
   std::ofstream(text) << "not HDF5";
   fs::copy_file(path, cut);

@@ -130,6 +130,24 @@ TEST(Ticks, AreRoundNumbersInsideTheRange) {
   }
 }
 
+TEST(Ticks, OfWholeNumbersAreWhole) {
+  EXPECT_EQ(ticksBetween(0, 2, 6, 1).labels, (std::vector<std::string>{"0", "1", "2"}));
+  EXPECT_EQ(ticksBetween(3, 4, 6, 1).labels, (std::vector<std::string>{"3", "4"}));
+  EXPECT_EQ(ticksBetween(0, 20, 6, 1).values, ticksBetween(0, 20, 6).values);
+}
+
+TEST(ColourBar, OfWholeNumbersHasFewerLabels) {
+  const auto drawn = [](bool whole) {
+    Image image(120, 400, {255, 255, 255});
+    drawColourBar(image, {0, 1, ColourMap::Sea, "", "", whole});
+    int pixels = 0;
+    for (int y = 0; y < image.height; y++)
+      for (int x = 0; x < image.width; x++) pixels += image.at(x, y).r < 255;
+    return pixels;
+  };
+  EXPECT_LT(drawn(true), drawn(false));
+}
+
 TEST(ColourBar, MatchesThePictureForAConstantField) {
   for (const double value : {0.0, 5.0}) {
     const ColourScale scale{value, value, ColourMap::Sea, "", ""};

@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "io/surface_mesh/mesh_detail.hpp"
 #include "tests/support/closed_mesh.hpp"
 #include "tests/support/surface/good_angles.hpp"
 #include "tests/support/surface/surfel_samples.hpp"
@@ -108,6 +109,36 @@ TEST(SurfaceMesh, TrianglesHaveNoSmallAngles) {
 }
 
 // Some normals of surfels are wrong.
+// As below shards, whose planes meet in the floor.
+TEST(SurfaceMesh, EndsAtObstaclesThatNoSurfelIsDeepIn) {
+  SurfelSamples s;
+  sampleBall(s, {0, 0, 0}, 0.5, 0.04, 7);
+  SurfaceFrame f = frameOf(s);
+  ComponentRows rows{7, {}};
+  for (std::uint32_t i = 0; i < f.positions.size(); i++)
+    if (f.positions[i].z > -0.4) rows.rows.push_back(i);
+  Walls walls;
+  Obstacle floor;
+  floor.shape.kind = ShapeKind::HalfSpace;
+  floor.shape.point = {0, 0, -0.4};
+  walls.list.push_back({makeSignedDistance(floor.shape), floor, {}, {}});
+  const auto lowest = [&](const Walls* ends) {
+    const ComponentMesh m = detailedMeshOfComponent(f, rows, f.colours, {}, {.walls = ends});
+    expectClosed(m.mesh);
+    expectGoodAngles(m.mesh);
+    double z = 1;
+    for (const Vec3d& x : m.mesh.vertices) z = std::min(z, x.z);
+    return z;
+  };
+  EXPECT_LT(lowest(nullptr), -0.42) << "else this test shows nothing";
+  EXPECT_GT(lowest(&walls), -0.404);
+  walls.list[0].shape = [&] {
+    floor.shape.point.z = -0.2;
+    return makeSignedDistance(floor.shape);
+  }();
+  EXPECT_LT(lowest(&walls), -0.42) << "the ball overlaps the floor";
+}
+
 TEST(SurfaceMesh, NormalsPointOutOfTheMesh) {
   SurfelSamples s;
   sampleMesh(s, bustMesh(), 0.02, true, 1);

@@ -88,6 +88,8 @@ TEST_F(ViewRun, LabelsAreNoValues) {
   const ReadPacket packet(get("api/frame", {{"number", "0"}, {"type", "particles"}, {"field", "body"}}).body);
   EXPECT_FALSE(packet.header.at("arrays").contains("value"));
   EXPECT_EQ(packet.array<std::uint32_t>("label")[5], 2u);
+  for (const auto& field : packet.header.at("fields"))
+    EXPECT_EQ(field.at("whole").get<bool>(), field.at("name") == "body") << field;
 }
 
 TEST_F(ViewRun, PositionsThatAreNotFiniteAreLeftOutAndCounted) {

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Choice of particles for warnings that need not look at all of them.
+#pragma once
+#include <cstdint>
+
+#include "core/domain/emit.hpp"
+
+namespace thaw {
+
+/// Returns true for about `most` of the `count` particles of a source. The choice depends on the id alone,
+/// and not on the lattice.
+inline bool chosenById(std::uint64_t id, std::int64_t count, double most) {
+  const double fraction = static_cast<double>((numberOf(id) * 0x9e3779b97f4a7c15u) >> 32) / 4294967296.0;
+  return fraction * static_cast<double>(count) <= most;
+}
+
+}  // namespace thaw
