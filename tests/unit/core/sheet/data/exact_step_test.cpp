@@ -85,7 +85,7 @@ TEST(ExactStep, AllRegimesToThirteenDigits) {
                      amplitude = swings && w > 1 ? decay : Quad(0);
           worst = std::max(
               {worst, error(x.hold, r.hold, amplitude * dt / w),
-               error(x.repulsion, r.push, amplitude * dt / (w * mass)),
+               error(x.push, r.push, amplitude * dt / (w * mass)),
                error(x.keep, r.keep, std::max(amplitude, c > 0.5 ? size(r.hold) * c / dt : Quad(0))),
                error(x.yield, r.yield, amplitude * dt * dt / (w * w * mass))});
           ASSERT_LT(worst, 1e-13) << "m " << mass << " c " << c << " w " << w << " dt " << dt;
@@ -101,7 +101,7 @@ TEST(ExactStep, IsContinuousThroughTheDoubleRoot) {
       const ExactStep x = exactStep(law, 1);
       const Reference r = reference(law, 1);
       worst = std::max({worst, error(x.hold, r.hold, 0), error(x.keep, r.keep, size(r.hold) * a),
-                        error(x.yield, r.yield, 0), error(x.repulsion, r.push, 0)});
+                        error(x.yield, r.yield, 0), error(x.push, r.push, 0)});
     }
   EXPECT_LT(worst, 1e-13);
 }
@@ -122,7 +122,7 @@ TEST(ExactStep, HasTheKnownLimits) {
   for (const double m : {1e-8, 1e-12, 1e-16, 1e-30, 1e-300}) {
     const ExactStep x = exactStep({m, 5, 2}, 3), none = exactStep({0, 5, 2}, 3);
     EXPECT_NEAR(x.yield / none.yield, 1, 3 * m + 1e-15) << m;
-    EXPECT_NEAR(x.repulsion / none.push, 1, 3 * m + 1e-15) << m;
+    EXPECT_NEAR(x.push / none.push, 1, 3 * m + 1e-15) << m;
     EXPECT_NEAR(x.hold, m * none.push, 1e-7 * m);
   }
   for (const double k : {1e-8, 1e-12, 1e-16, 1e-30, 1e-300}) {  // toward a drag without a spring
@@ -143,7 +143,7 @@ TEST(ExactStep, TwoStepsEqualOneOfTwiceTheLength) {
       const auto advance = [&](const ExactStep& x, double& q, double& v) {
         const double r = force - law.stiffness * q, q0 = q;
         q = q0 + x.hold * v + x.yield * r;
-        v = x.keep * v + x.repulsion * r;
+        v = x.keep * v + x.push * r;
       };
       double q = start, v = law.mass > 1e-6 ? -2 : 0, q2 = q, v2 = v;
       const ExactStep one = exactStep(law, dt), two = exactStep(law, 2 * dt);
@@ -164,7 +164,7 @@ double growth(const SpringLaw& law, double kappa, double dt) {
   const auto step = [&](double& z, double& v) {
     const double f0 = -kappa * z, z0 = z;
     z = z0 + x.hold * v + x.yield * (f0 - law.stiffness * z0);
-    v = x.keep * v - x.repulsion * law.stiffness * z0 + s.before * f0 - s.after * kappa * z;
+    v = x.keep * v - x.push * law.stiffness * z0 + s.before * f0 - s.after * kappa * z;
   };
   double a = 1, b = 0, c = 0, d = 1;
   step(a, b);

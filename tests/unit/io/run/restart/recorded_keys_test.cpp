@@ -57,7 +57,7 @@ void addSheets(Scene& s) {
     if (mesh == SheetMesh::File) b.shape.mesh = "a.ply";
     b.shape.fitHeight = 1;
     b.shape.bottom = Vec3d{};
-    b.wrapTo = "NAME";
+    b.shrinkWrapTo = "NAME";
     b.clamp.resize(1);
     b.regions.resize(1);
     b.pressureBrushes.resize(1);

@@ -311,7 +311,7 @@ TEST(RestartRecord, ExternalActionsAreReported) {
     return coefficientChanges(then, other).size() + settingChanges(then, other, 0).size();
   };
   EXPECT_EQ(reported([](Scene&) {}), 0u);
-  EXPECT_EQ(reported([](Scene& o) { o.sheets[0].wrapTo = "pan"; }), 1u);
+  EXPECT_EQ(reported([](Scene& o) { o.sheets[0].shrinkWrapTo = "pan"; }), 1u);
   EXPECT_EQ(reported([](Scene& o) {
               o.sheets[0].pressureBrushes[0].motion.push_back({1, {1, 0, 0}, {}});
             }),

@@ -126,7 +126,7 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
        "expected "
        "a unique name"},
       {cloth + "shrink_wrap = 1\nshrink_wrap_in_time = [[0, 1]]\n",
-       "s.toml:9:16: error: sheet.0.shrink_wrap_in_time: expected a list of at least two pairs [s, number], "
+       "s.toml:9:23: error: sheet.0.shrink_wrap_in_time: expected a list of at least two pairs [s, number], "
        "such as [[300, 0.5], [400, 0.7]]"},
       {cloth + "warp_in_time = [[0, 1], [1, 2]]\n",
        "s.toml:8:16: error: sheet.0.warp_in_time: is a factor of warp, which is 0: set `warp` of the "
@@ -166,7 +166,7 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
        "s.toml:9:1: error: oriented.a.field.0: this field has no effect: set `acceleration`, `attraction` or "
        "`pressure`"},
       {patch + "[[oriented.field]]\nattraction = 3\nradius = 1\n",
-       "s.toml:10:8: error: oriented.a.field.0.attraction: needs `point`, its target"},
+       "s.toml:10:14: error: oriented.a.field.0.attraction: needs `point`, its target"},
       {patch + "[[oriented.field]]\npressure = 3\nfrom = 1\nuntil = 1\n",
        "s.toml:12:9: error: oriented.a.field.0.until: must be after `from`"},
       {"[[sheet]]\nmesh = \"builtin:cat\"\n",
