@@ -22,7 +22,7 @@ struct YieldChannel {
     middle = 0.5 * (s.domain.max.z + s.domain.min.z);
     half = 0.5 * (s.domain.max.z - s.domain.min.z);
     plug = law.yieldStress / G;
-    n = law.exponent;
+    n = law.settings->exponent;
     speed = std::pow(G / law.viscosity, 1 / n) * n / (n + 1);
   }
   double fastest() const { return speed * std::pow(half - plug, 1 + 1 / n); }

@@ -2,6 +2,8 @@
 // Declaration of the keys of a table in a scene file, by terms of the model (core/terms/model_part.hpp).
 // io/scene reads, documents, checks and records keys from one declaration.
 #pragma once
+#include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <limits>
 #include <string>
@@ -29,6 +31,8 @@ inline Range atLeast(double low) {
 }
 inline Range between(double low, double high) { return {low, high, false, false, false}; }
 inline Range inside(double low, double high) { return {low, high, true, true, false}; }
+/// Range of the factors of step limits.
+inline Range stepFactor() { return {0, 2, true, false, false}; }
 inline Range orNever(Range r) { return r.orNever = true, r; }
 inline Range orOff(Range r) { return r.orOff = true, r; }
 
@@ -41,6 +45,26 @@ enum class Restart {
   Free          ///< not recorded
 };
 
+struct Blend;
+
+/// Value of the liquid if only one quantity is given.
+enum class LiquidValue { Same, Unchanged };
+
+/// A value for solid and liquid: one quantity, or { solid = ..., liquid = ... }.
+struct BlendKey {
+  const char *key, *unit;
+  Range range;
+  LiquidValue liquid;
+  const char* about;
+};
+
+/// A quantity with a range.
+struct QuantityKey {
+  const char *key, *unit;
+  Range range;
+  const char* about;
+};
+
 /// The keys of a table. Each function of a key reads it into its value if the scene has the key; else the
 /// value stays, and is described as the default.
 class KeyTable {
@@ -49,24 +73,44 @@ class KeyTable {
   virtual bool reading() const = 0;    ///< the table is from a scene, and its checks apply
   virtual bool recording() const = 0;  ///< the values are those of a scene, for a restart
   virtual bool has(const char* key) const = 0;
+  virtual bool refused(const char* key) const = 0;        ///< an error concerns it
+  virtual std::string textOf(const char* key) const = 0;  ///< a text value of the scene, or ""
   /// Adds an error at a key, unless it, or one of `others` on which the check depends, was refused before.
   virtual void fail(const char* key, const std::string& text,
                     std::initializer_list<const char*> others = {}) = 0;
   /// Sets the effect of changes at a restart, for the keys that follow.
   virtual void restart(Restart effect) = 0;
+  virtual KeyTable& as(Restart effect) = 0;  ///< sets it for the next key alone
   /// Describes the default of the next key in words.
   virtual KeyTable& defaultAs(const char* words) = 0;
   virtual KeyTable& byScene() = 0;  ///< the default follows from the scene
   virtual KeyTable& needed() = 0;   ///< it has no default; the caller fails where the key is missing
   virtual void number(const char* key, double& value, const char* unit, const Range& range,
                       const char* about) = 0;
+  virtual void whole(const char* key, std::int64_t& value, std::int64_t low, std::int64_t high,
+                     const char* about) = 0;
+  virtual void flag(const char* key, bool& value, const char* about) = 0;
+  virtual void blend(const BlendKey& key, Blend& value) = 0;
   /// A number, or a table of numbers by temperature.
   virtual void byTemperature(const char* key, double& value, TemperatureTable& table, const char* unit,
                              const Range& range, const char* about) = 0;
+  /// A value for solid and liquid, or a table of numbers > 0 by temperature.
+  virtual void byTemperature(const BlendKey& key, Blend& value, TemperatureTable& table) = 0;
+  /// The same for a number without default, which is a table with one entry.
+  virtual void byTemperature(const QuantityKey& key, TemperatureTable& table) = 0;
   virtual void vector(const char* key, Vec3d& value, const char* unit, const char* about) = 0;
   /// One of several words, as its number.
   virtual void choice(const char* key, int& value, const std::vector<std::string>& words,
                       const char* about) = 0;
+  template<class Enum>
+  void choice(const char* key, Enum& value, const std::vector<std::string>& words, const char* about) {
+    int number = static_cast<int>(value);
+    choice(key, number, words, about);
+    value = static_cast<Enum>(number);
+  }
+  /// A table within this one. Its keys are recorded only if it is `there`.
+  virtual void table(const char* key, const char* about, bool there,
+                     const std::function<void(KeyTable&)>& read) = 0;
   /// The key `name`. Without it the element has the title of its table and its number.
   virtual void name(std::string& value) = 0;
   /// The keys of a shape and its `place`.

@@ -168,8 +168,17 @@ std::vector<std::string> lawNames() {
 
 const std::vector<const Extension*>& modelTerms() { return registry().terms; }
 
+const char* nameOf(bool Modules::*module) {
+  for (const Extension* term : modelTerms())
+    for (const TermModule& own : term->model->modules)
+      if (own.module == module) return own.name;
+  throw std::logic_error("a module of a term has no name");
+}
+
 bool isUsed(const Extension& term, const Scene& scene, const Modules& modules) {
-  return term.model->uses && !term.model->uses(scene, modules).empty();
+  const ModelPart& part = *term.model;
+  if (part.uses) return !part.uses(scene, modules).empty();
+  return part.earlyUses && !part.earlyUses(scene).empty();
 }
 
 void completeExtensions(Scene& scene) {

@@ -76,6 +76,8 @@ std::vector<std::string> extensionNames(const std::function<bool(const Extension
 std::vector<std::string> lawNames();
 /// Returns the extensions of the library with a model part, in the order of their list.
 const std::vector<const Extension*>& modelTerms();
+/// Returns the name of a module that belongs to a term. Throws std::logic_error for others.
+const char* nameOf(bool Modules::*module);
 /// Returns true if a scene with these modules uses the term.
 bool isUsed(const Extension& term, const Scene& scene, const Modules& modules);
 /// Calls use(term, table, element) for each element of the tables of terms, such as each lamp.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of an extension by which the library adds a body force, a source of heat or a pair force with keys
-// in the scene's own tables, such as [[lamp]] or [material.NAME]. core/terms/terms.hpp lists them.
+// The part of an extension by which the library declares a part of its own model: keys in the scene's own
+// tables, such as [[lamp]] or [material.NAME], modules, step limits, energies. A body force, a source of heat
+// and a pair force have their action here, too. Sums that are fused for speed, such as those of pressure and
+// viscosity, act in core/simulation/modules/. core/terms/terms.hpp lists them.
 #pragma once
 #include <functional>
 #include <string>
@@ -56,10 +58,16 @@ template<auto List, auto Keys> TermTable termTable(const char* key, const char* 
           [](KeyTable& keys, Scene& s, std::size_t k) { Keys(keys, (s.*List)[k]); }};
 }
 
-/// A module that a term needs, and why: "buoyancy: the density of ..." in the list of `thaw check`.
-struct ModuleUse {
-  bool Modules::*module;  ///< null: the line alone
+/// A module that belongs to a term, with its name in the list of `thaw check`.
+struct TermModule {
+  bool Modules::*module;
   const char* name;
+};
+
+/// A module that a term needs, of this or of another term, and why: "the density of ..." in the list of
+/// `thaw check`.
+struct ModuleUse {
+  bool Modules::*module;
   std::string why;
 };
 
@@ -99,10 +107,17 @@ struct ModelPart {
   // Keys
   std::vector<TermTable> tables = {};
   void (*domainKeys)(KeyTable&, Domain&) = nullptr;      ///< in [domain]
+  void (*numericsKeys)(KeyTable&, Numerics&) = nullptr;  ///< in [numerics]
   void (*materialKeys)(KeyTable&, Material&) = nullptr;  ///< in [material.NAME]
-  /// Returns the modules that the scene needs for the term; none: the scene does not use it. Terms that heat
-  /// are called before phases are known, others when all other modules are known. Null: the term needs no
-  /// module.
+  /// Refuses meaningless combinations, when all keys of the material are read.
+  void (*checkMaterial)(KeyTable&, const Material&, const Numerics&) = nullptr;
+  // Modules
+  std::vector<TermModule> modules = {};  ///< each belongs to one term
+  /// Returns the modules that the scene needs whatever the phases of its particles are, which are not known
+  /// then: above all why temperatures change. Null: none.
+  std::vector<ModuleUse> (*earlyUses)(const Scene&) = nullptr;
+  /// Returns the modules that the scene needs with those that are found before, among them those of terms
+  /// earlier in the list. Null: none. The scene uses the term if this, or without it earlyUses, returns any.
   std::vector<ModuleUse> (*uses)(const Scene&, const Modules& found) = nullptr;
   // Action
   LoadStage stage = LoadStage::Forces;
@@ -112,11 +127,12 @@ struct ModelPart {
   /// Records work and impulse of the force in a half kick. Called before it.
   void (*recordKick)(const OutsideLoad&, HalfKick) = nullptr;
   std::vector<PairSweep> sweeps = {};
-  /// Limit of the step, a name in limitNames (core/simulation/time/step_limits.hpp); null: none.
-  const char* limit = nullptr;
-  /// Longest stable step (s) at a time (s), for `limit`; none: set-up or the forces themselves give it.
+  /// Limits of the step: names in limitNames (core/simulation/time/step_limits.hpp).
+  std::vector<const char*> limits = {};
+  /// Longest stable step (s) at a time (s), for the first limit; none: set-up or the forces themselves give
+  /// it.
   double (*stepLimit)(const Scene&, double time) = nullptr;
-  std::vector<const char*> energies = {};  ///< columns of ledger.csv that have its work or heat
+  std::vector<const char*> energies = {};  ///< columns of ledger.csv with its energy, work, heat, mass
 };
 
 /// A term of a scene.

@@ -140,16 +140,22 @@ std::string termsDocumentation() {
       "scene "
       "without the keys of a term has none of its cost.\n"
       "\n"
-      "| term | keys | limit of the step | in `ledger.csv` | meaning |\n|---|---|---|---|---|\n";
-  const auto listed = [](const auto& names) {
+      "| term | keys | modules in `thaw check` | limit of the step | in `ledger.csv` | meaning "
+      "|\n|---|---|---|---|---|---|\n";
+  const auto listed = [](const auto& names, const char* quote) {
     std::string list;
-    for (const auto& name : names) list += fmt::format("{}`{}`", list.empty() ? "" : ", ", name);
+    for (const auto& name : names) list += fmt::format("{0}{1}{2}{1}", list.empty() ? "" : ", ", quote, name);
     return list;
   };
+  const auto moduleNames = [](const Extension& term) {
+    std::vector<std::string> names;
+    for (const TermModule& own : term.model->modules) names.push_back(own.name);
+    return names;
+  };
   for (const Extension* term : modelTerms())
-    text += fmt::format("| {} | {} | {} | {} | {} |\n", term->name, listed(keysOf(*term->model)),
-                        term->model->limit ? term->model->limit : "", listed(term->model->energies),
-                        cell(term->about));
+    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", term->name, listed(keysOf(*term->model), "`"),
+                        listed(moduleNames(*term), ""), listed(term->model->limits, ""),
+                        listed(term->model->energies, "`"), cell(term->about));
   return text;
 }
 

@@ -49,8 +49,8 @@ void finishRow(void* context, std::uint32_t row, const ShearMoments& sums) {
                                                 p.temperature.active ? p.temperature[row] : 0);
   double viscosity = apparentViscosity(law, rate);
   // In steady shear, each step multiplies an error of the viscosity by 1 - n.
-  if (const double old = static_cast<double>(p.apparentViscosity[row]); law.exponent > 1 && old > 0)
-    viscosity = old * std::pow(viscosity / old, 1 / law.exponent);
+  const double old = static_cast<double>(p.apparentViscosity[row]), steepness = steepnessOf(*law.settings);
+  if (steepness > 1 && old > 0) viscosity = old * std::pow(viscosity / old, 1 / steepness);
   p.apparentViscosity[row] = static_cast<float>(viscosity);
 }
 

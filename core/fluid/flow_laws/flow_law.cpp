@@ -2,9 +2,10 @@
 #include "core/fluid/flow_laws/flow_law.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 #include <set>
 
+#include "core/fluid/flow_laws/laws.hpp"
 #include "core/materials/liquid_materials.hpp"
 #include "core/scene/temperature_table.hpp"
 
@@ -27,17 +28,64 @@ template<class Action> void atTableEntries(const FlowLawSettings& s, double leas
   for (const double T : temperatures) action(flowCoefficients(s, leastRate, T));
 }
 
+const FlowLawKey* find(const FlowLawRow& row, const std::string& key) {
+  for (const FlowLawKey& k : row.keys)
+    if (k.name == key) return &k;
+  return nullptr;
+}
+
+/// Returns the keys of all laws, each once.
+std::vector<FlowLawKey> allKeys() {
+  std::vector<FlowLawKey> all;
+  std::set<std::string> names;
+  for (const FlowLawRow* row : flowLawTable)
+    for (const FlowLawKey& key : row->keys)
+      if (names.insert(key.name).second) all.push_back(key);
+  return all;
+}
+
+void checkKeys(KeyTable& keys, FlowLaw law, const std::vector<FlowLawKey>& all) {
+  if (law == FlowLaw::Newtonian) {
+    std::string names;
+    for (const FlowLawRow* row : flowLawTable)
+      names += std::string(row == std::end(flowLawTable)[-1] ? " or "
+                           : names.empty()                   ? ""
+                                                             : ", ") +
+               "\"" + row->name + "\"";
+    return keys.fail("law", "required: " + names + "; for a constant viscosity leave out the table `flow`");
+  }
+  const std::string name = "`law = \"" + std::string(rowOf(law).name) + "\"`";
+  for (const FlowLawKey& key : all) {
+    const FlowLawKey* own = find(rowOf(law), key.name);
+    if (keys.has(key.name) && !own)
+      keys.fail(key.name, "not used by " + name + ": remove it, or choose another law");
+    if (!keys.has(key.name) && own && own->needed) keys.fail(key.name, "required by " + name);
+  }
+}
+
 }  // namespace
 
-const char* nameOf(FlowLaw law) {
-  switch (law) {
-    case FlowLaw::Newtonian: return "Newtonian";
-    case FlowLaw::Bingham: return "Bingham";
-    case FlowLaw::HerschelBulkley: return "Herschel-Bulkley";
-    case FlowLaw::PowerLaw: return "power law";
-    case FlowLaw::Carreau: return "Carreau";
+const FlowLawRow& rowOf(FlowLaw law) { return *flowLawTable[static_cast<std::size_t>(law) - 1]; }
+
+bool hasLeastRate(FlowLaw law) { return law != FlowLaw::Newtonian && find(rowOf(law), leastRateKey.name); }
+
+bool dependsOnTemperature(const FlowLawSettings& s) {
+  return s.consistency.size() > 1 || s.yieldStress.size() > 1;
+}
+
+void readFlowLaw(KeyTable& keys, FlowLawSettings& s) {
+  std::vector<std::string> names{"newtonian"};
+  std::string about = "stress at a shear rate g";
+  for (const FlowLawRow* row : flowLawTable) {
+    names.push_back(row->name);
+    about += ". \"" + names.back() + "\": " + row->stress;
   }
-  return "";
+  keys.choice("law", s.law, names, about.c_str());
+  const std::vector<FlowLawKey> all = allKeys();
+  for (const FlowLawKey& key : all) key.declare(keys, key.name, s);
+  keys.number("largest_viscosity", s.largestViscosity, "Pa s", notNegative(),
+              "limit of the viscosity; 0: none");
+  if (keys.reading() && !keys.refused("law")) checkKeys(keys, s.law, all);
 }
 
 double leastRateOf(const Scene& s, const Material& m) {
@@ -50,27 +98,14 @@ double leastRateOf(const Scene& s, const Material& m) {
 double resolvedRate(const Scene& s) { return flowSpeed(s) / s.spacing; }
 
 FlowCoefficients flowCoefficients(const FlowLawSettings& s, double leastRate, double T) {
-  return {s.law,
-          valueOrZero(s.yieldStress, T, Interpolation::Linear),
-          valueOrZero(s.consistency, T, Interpolation::Logarithmic),
-          s.exponent,
-          s.infiniteViscosity,
-          s.relaxationTime,
-          leastRate,
-          s.largestViscosity > 0 ? s.largestViscosity : never};
+  return {&s, valueOrZero(s.yieldStress, T, Interpolation::Linear),
+          valueOrZero(s.consistency, T, Interpolation::Logarithmic), leastRate};
 }
 
 double apparentViscosity(const FlowCoefficients& c, double rate) {
-  const double half = 0.5 * (c.exponent - 1);
-  if (c.law == FlowLaw::Carreau) {
-    const double x = c.time * rate;
-    return std::min(c.infinite + (c.viscosity - c.infinite) * std::pow(1 + x * x, half), c.largest);
-  }
-  const double e = c.leastRate,
-               flow = c.exponent == 1 ? c.viscosity : c.viscosity * std::pow(rate * rate + e * e, half);
-  // -expm1(-x) / x tends to 1.
-  const double x = rate / e, yield = c.yieldStress / e * (x > 1e-8 ? -std::expm1(-x) / x : 1);
-  return std::min(flow + yield, c.largest);
+  const FlowLawSettings& s = *c.settings;
+  const double largest = s.largestViscosity > 0 ? s.largestViscosity : never;
+  return std::min(rowOf(s.law).viscosity(c, rate), largest);
 }
 
 double largestFlowViscosity(const FlowLawSettings& s, double leastRate, double largestRate) {

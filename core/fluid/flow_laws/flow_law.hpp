@@ -1,37 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 // Viscosity of a liquid as a function of its shear rate (docs/theory/rheology.md).
 #pragma once
+#include "core/fluid/flow_laws/flow_law_row.hpp"
 #include "core/scene/material_use.hpp"
 #include "core/scene/scene.hpp"
 
 namespace thaw {
 
-/// Coefficients of a flow law at one temperature.
-struct FlowCoefficients {
-  FlowLaw law = FlowLaw::Newtonian;
-  double yieldStress = 0;  ///< Pa
-  double viscosity = 0;    ///< Pa s: plastic viscosity; at a rate of 1/s (the consistency); Carreau: at rest
-  double exponent = 1;     ///< 1
-  double infinite = 0;     ///< Pa s, Carreau: at infinite shear rate
-  double time = 0;         ///< s, Carreau
-  double leastRate = 0;    ///< 1/s, > 0: regularisation
-  double largest = never;  ///< Pa s, limit of the viscosity
-};
-
-/// Returns "Bingham", "Herschel-Bulkley", "power law" or "Carreau".
-const char* nameOf(FlowLaw law);
+/// Returns the row of a law in the table of core/fluid/flow_laws/laws.hpp. Requires: it is not Newtonian.
+const FlowLawRow& rowOf(FlowLaw law);
+/// Returns the largest d ln(stress) / d ln(rate) of a law; at least 1. Requires: it is not Newtonian.
+inline double steepnessOf(const FlowLawSettings& s) { return rowOf(s.law).steepness(s); }
+/// Returns true if the law is regularised at its least rate.
+bool hasLeastRate(FlowLaw law);
+/// Returns true if a coefficient is a table by temperature.
+bool dependsOnTemperature(const FlowLawSettings& settings);
+/// Declares the keys of [material.NAME.flow]. Refuses keys that the law does not have, and requires those
+/// that it needs.
+void readFlowLaw(KeyTable& keys, FlowLawSettings& settings);
 
 /// Shear rate (1/s) below which yield stress and power laws are regularised. It is that of the material, or
 /// else 1e-4 of the expected speed over the longest side of the domain.
 double leastRateOf(const Scene& scene, const Material& material);
 
-/// Returns the coefficients at a temperature (K). Viscosities are interpolated logarithmically.
+/// Returns the coefficients at a temperature (K). Viscosities are interpolated logarithmically. They refer to
+/// the settings.
 FlowCoefficients flowCoefficients(const FlowLawSettings& settings, double leastRate, double temperature);
 
-/// Apparent viscosity (Pa s) at a shear rate g (1/s), at most `largest`.
-/// Bingham [B22], Herschel-Bulkley [HB26], power law: K (g^2 + e^2)^((n-1)/2) + tau_y (1 - exp(-g/e)) / g.
-/// Here e is the least rate; the second term is Papanastasiou's [P87].
-/// Carreau [C72]: mu_inf + (mu_0 - mu_inf) (1 + (lambda g)^2)^((n-1)/2).
+/// Apparent viscosity (Pa s) at a shear rate (1/s), by the row of the law, at most
+/// FlowLawSettings::largestViscosity.
 double apparentViscosity(const FlowCoefficients& coefficients, double rate);
 
 /// Largest viscosity (Pa s) at any of the temperatures of its tables: at rest, or for n > 1 at the largest

@@ -94,7 +94,7 @@ StepModule limitsOfTerms() {
           {{ModulePhase::Limits, [](StepContext& c) {
               for (const ActiveTerm& term : c.t.terms.active)
                 if (term.part->stepLimit)
-                  c.reduction.lower(limitNamed(term.part->limit),
+                  c.reduction.lower(limitNamed(term.part->limits.front()),
                                     term.part->stepLimit(c.w.scene, c.w.clock.time));
             }}}};
 }

@@ -138,7 +138,7 @@ StepLimits materialLimits(const Scene& s, const Modules& modules,
 double flowLawStepLimit(const Scene& s, const Material& m) {
   const double h = s.numerics.support * s.spacing;
   return s.numerics.cflViscous * stableViscousStep(s.numerics) * h * h * leastDensityOf(m) /
-         (std::max(m.flowLaw.exponent, 1.0) * largestViscosity(s, m));
+         (steepnessOf(m.flowLaw) * largestViscosity(s, m));
 }
 
 namespace {
@@ -152,7 +152,7 @@ double largestViscosityHere(const Continuum& p, const Scene& scene, std::size_t 
   for (std::size_t i = 0; i < p.owned; i++)
     if (p.material[i] == material && (p.phase[i] == Liquid || (p.liquid.active && p.liquid[i] > 0)))
       mu = std::max(mu, viscosityOfParticle(m, p, i, 1));
-  return hasFlowLaw(m) ? std::max(m.flowLaw.exponent, 1.0) * mu : mu;
+  return hasFlowLaw(m) ? steepnessOf(m.flowLaw) * mu : mu;
 }
 
 /// Smallest density (kg/m^3) of particles that material k drags along: its own, and those of solids.

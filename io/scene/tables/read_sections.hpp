@@ -76,6 +76,10 @@ void readMaterialName(TableReader& reader, const SceneReading& reading, int plac
 void readTermTables(TableReader& top, SceneReading& reading);
 /// Reads their keys in [domain].
 void readTermKeys(TableReader& reader, Domain& domain);
+/// Reads their keys in [numerics].
+void readTermKeys(TableReader& reader, Numerics& numerics);
+/// Refuses meaningless combinations of the keys of a material, all of which are read.
+void checkTermKeys(TableReader& reader, const Material& material, const Numerics& numerics);
 /// Reads the keys in [material.NAME] of terms that heat, or of the others.
 void readTermKeys(TableReader& reader, Material& material, bool heat);
 /// Returns the tables and keys of a term: "[[lamp]]", "material.NAME.absorptivity".

@@ -46,8 +46,6 @@ void readSides(TableReader& r, const char* key, std::array<Side, 2>& sides) {
     r.fail(key, "expected both sides of an axis to be periodic, or none");
 }
 
-Range factor() { return {0, 2, true, false, false}; }
-
 }  // namespace
 
 void readDomain(TableReader& r, Domain& d) {
@@ -74,105 +72,13 @@ void readDomain(TableReader& r, Domain& d) {
 void readNumerics(TableReader& r, Numerics& n) {
   r.restart(Restart::State);
   r.number("support", n.support, "", between(1.2, 6), "support radius of the kernel in spacings");
-  r.number("bond_support", n.bondSupport, "", between(1.2, 6),
-           "longest bond of solids in spacings, at most `support`; longer bonds soften thin bodies, shorter "
-           "ones need shorter steps in irregular arrangements");
   r.restart(Restart::Coefficient);
   r.choice("kernel", n.kernel, {"wendland", "mcg03", "cubic"},
            "wendland: Wendland C2. mcg03: poly6, spiky and viscosity kernels of Mueller et al. 2003. cubic: "
            "cubic spline");
   r.choice("precision", n.precision, {"single", "double"},
            "precision of sums over pairs; the state is double");
-  r.choice("elastic_precision", n.elasticPrecision, {"single", "double"},
-           "precision of sums over bonds of solids; single is accurate to 1e-6 of the strain");
-  r.choice("pressure", n.pressure, {"consistent", "printed"},
-           "consistent: pair form that conserves energy. printed: as printed in Keiser et al. 2005, which "
-           "gives half the gradient");
-  r.byScene().choice(
-      "density", n.density, {"summation", "continuity", "plain"},
-      "density of liquids. summation: a sum over positions, consistent with compression. "
-      "continuity: integrated from the divergence of the flow. plain: the plain sum. Default: "
-      "\"continuity\"; \"summation\" with a form of `tension` other than \"curvature\", `quality = "
-      "\"preview\"`, `pressure = \"printed\"` or the incompressible solver");
-  r.flag(
-      "corrected_gradients", n.correctedGradients,
-      "gradients of the continuity form and of the incompressible solver are exact for linear fields inside "
-      "the liquid (Bonet & Lok 1999)");
-  r.number("density_diffusion", n.densityDiffusion, "", between(0, 1),
-           "density diffusion of the continuity form");
-  r.byScene().number(
-      "shifting", n.shifting, "", between(0, 0.3),
-      "largest speed of shifting: particles of a liquid move down the gradient of their concentration C. It "
-      "is a multiple of the speed of sound times h grad C. With the continuity form it scales with strain "
-      "and tension, and particles at the free surface are not shifted. 0: no shifting. Default with density "
-      "= \"continuity\": 0.07 with gravity, 0.2 without");
-  r.choice("equation_of_state", n.eos, {"linear", "tait"}, "pressure as a function of the density");
-  r.byScene().number("tensile_limit", n.tensileLimit, "", between(0, 1),
-                     "fraction of negative pressure that is kept. Above 0 it requires `density = "
-                     "\"continuity\"` and shifting "
-                     "above 0. Default: 1 with both, except with a form of `tension` other than "
-                     "\"curvature\", or `quality = \"preview\"`");
-  r.choice("pressure_solver", n.solver, {"state equation", "incompressible"},
-           "state equation: pressure from the density. incompressible: solved for, so that liquids keep "
-           "their volume; the speed of the flow limits the step, not that of sound");
-  r.restart(Restart::Setting);
-  r.number("density_tolerance", n.densityTolerance, "", {0, 0.1, true, false, false},
-           "incompressible: the solver stops when the mean remaining compression of a step is below this. "
-           "Earlier compression is removed in the time in which the flow moves by one spacing");
-  r.number("divergence_tolerance", n.divergenceTolerance, "", {0, 0.1, true, false, false},
-           "incompressible: mean rate of compression, times the step, below which the solver stops");
-  r.whole("max_iterations", n.maxIterations, 1, 100000,
-          "incompressible: largest number of iterations per solve; the summary counts solves that reach it");
-  r.restart(Restart::Coefficient);
-  r.choice("viscosity", n.viscosity, {"pairwise", "laplacian"},
-           "pairwise: along the line between two particles, which conserves angular momentum. laplacian: as "
-           "printed in Keiser et al. 2005");
-  r.byScene().flag(
-      "viscosity_correction", n.viscosityCorrection,
-      "corrects pairwise viscosity for particle disorder, which changes it by a few per cent while layers "
-      "slide past each other. Default: true where viscosity limits explicit steps more than sound does, "
-      "except with quality = \"preview\"");
-  r.choice("viscosity_solver", n.viscositySolver, {"explicit", "implicit"},
-           "explicit: viscosity limits the step. implicit: a linear system in each step, without this limit; "
-           "recommended if viscosity limits the step");
-  r.restart(Restart::Setting);
-  r.number("viscosity_tolerance", n.viscosityTolerance, "", between(1e-10, 0.1),
-           "implicit solver: relative error of a step's velocity change by viscosity");
-  r.whole("viscosity_iterations", n.viscosityIterations, 1, 100000,
-          "implicit solver: largest number of iterations per step; the summary counts steps that need more");
-  if (n.viscositySolver == ViscositySolver::Implicit && n.viscosity == ViscosityForm::Laplacian)
-    r.fail("viscosity_solver",
-           "the implicit solver supports the pairwise form of viscosity only: leave `numerics.viscosity` at "
-           "\"pairwise\"");
-  if (n.viscosityCorrection && n.viscosity == ViscosityForm::Laplacian)
-    r.fail(
-        "viscosity_correction",
-        "only the pairwise form of viscosity can be corrected: leave `numerics.viscosity` at \"pairwise\"");
-  r.restart(Restart::Coefficient);
-  r.as(Restart::State)
-      .choice("buoyancy", n.buoyancy, {"automatic", "boussinesq", "density"},
-              "buoyancy of liquids with expansion or a table of densities. boussinesq: only density "
-              "differences have weight, so noise of the hydrostatic pressure does not hide them. It is for "
-              "closed containers full of one liquid: a free surface would be weightless. density: the whole "
-              "weight acts. automatic: boussinesq where liquid of one density fills a closed domain, "
-              "else density");
-  r.byScene().choice(
-      "tension", n.tension, {"pairwise", "colour field", "surface energy", "curvature"},
-      "pairwise: cohesion of pairs, cheap, but drops behave like soft crystals. colour field: as printed in "
-      "Keiser et al. 2005. surface energy: drops have Laplace's pressure and oscillate like liquids. Energy "
-      "and momentum are conserved, but surfaces at rest resist flow. curvature: a force by the curvature of "
-      "the free surface, for contact angles and flow along surfaces. It needs `density = \"continuity\"` "
-      "and shifting. Default: \"curvature\"; \"surface energy\" without these two, with a support below "
-      "1.9, `quality = \"preview\"`, `pressure = \"printed\"` or the incompressible solver");
-  r.as(Restart::State)
-      .choice("heat", n.heat, {"enthalpy", "paper"},
-              "enthalpy: with latent heat. paper: the plain temperature of Keiser et al. 2005");
-  r.choice("conduction", n.conduction, {"normalised", "plain"},
-           "sum for heat conduction. normalised: exact for a quadratic temperature on the lattice. plain: "
-           "with the kernel's own constant");
-  r.flag("self_contact", n.selfContact, "pieces of one body collide with each other");
-  r.number("max_density_error", n.maxDensityError, "", {0, 0.2, true, false, false},
-           "compression that the automatic sound speed allows");
+  readTermKeys(r, n);
   r.as(Restart::Start)
       .choice("overlap", n.overlap, {"error", "keep", "remove later", "remove earlier"},
               "treatment of the particles of two bodies that overlap. A sheet or an oriented body that "
@@ -182,30 +88,9 @@ void readNumerics(TableReader& r, Numerics& n) {
            "constant time step, at most `end`, shortened to a whole number of steps per frame. Stability "
            "limits and `max_step` are then not applied. 0: the step follows the limits");
   r.number("max_step", n.maxStep, "s", orNever(positive()), "largest time step");
-  r.number("cfl_sound", n.cflSound, "", factor(),
-           "step limit as a multiple of h / c, with the support radius h");
-  r.number("cfl_viscous", n.cflViscous, "", factor(),
-           "step limit as a multiple of the largest stable dt on a lattice: 0.044 h^2 rho / mu for the "
-           "pairwise form with support = 2. Clumped particles need shorter steps");
-  r.number("cfl_heat", n.cflHeat, "", factor(),
-           "step limit as a multiple of the largest stable dt on a lattice: 0.078 h^2 / diffusivity for the "
-           "wendland kernel with support = 2");
-  r.number("cfl_elastic", n.cflElastic, "", factor(),
-           "step limit as a multiple of spacing / speed of pressure waves");
-  r.number("cfl_tension", n.cflTension, "", factor(),
-           "step limit as a multiple of sqrt(rho h^3 / (2 pi sigma))");
-  r.number("cfl_acceleration", n.cflAcceleration, "", factor(),
+  r.number("cfl_acceleration", n.cflAcceleration, "", stepFactor(),
            "step limit as a multiple of sqrt(h / a), with the acceleration a; the incompressible solver "
            "takes 0.6 of it");
-  std::int64_t substeps = n.elasticSubsteps;
-  r.whole(
-      "elastic_substeps", substeps, 0, 64,
-      "largest number of substeps of solids within a step, if their elastic limit is the shortest. 0: 4 with "
-      "liquid (2 if it is incompressible) and without contact of solids, else 1. With at most one solid "
-      "body, contacts of frozen pieces limit the step only while pieces touch or are about to. With more "
-      "than 8 the liquid may pump energy into solids without damping. With incompressible liquid, or with "
-      "liquid in a scene of melting solids, the step is at most that of a `cfl_elastic` of 0.8");
-  n.elasticSubsteps = static_cast<int>(substeps);
   r.number("sleep_speed", n.sleepSpeed, "m/s", notNegative(),
            "solids that are slower than this for `sleep_after`, like all their neighbours, sleep: they stay "
            "in place at little cost until a load, heat or a neighbour wakes them. Progress lines show how "
@@ -246,9 +131,6 @@ void readNumerics(TableReader& r, Numerics& n) {
   r.number("watch_energy", n.watchEnergy, "", orNever(positive()),
            "unexplained gain of mechanical energy above which a step has failed, as a multiple of the "
            "largest term of the ledger. It is the gain within `retry_every` steps or since the start");
-  r.as(Restart::Setting)
-      .number("plastic_rereference", n.plasticRereference, "", positive(),
-              "norm of the plastic strain above which the reference follows the flow");
 }
 
 void readOutput(TableReader& r, Scene& s) {

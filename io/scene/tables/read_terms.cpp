@@ -24,10 +24,13 @@ class TermKeys : public KeyTable {
   bool reading() const override { return r_.reading(); }
   bool recording() const override { return r_.recording(); }
   bool has(const char* key) const override { return r_.has(key); }
+  bool refused(const char* key) const override { return r_.refused(key); }
+  std::string textOf(const char* key) const override { return r_.textOf(key); }
   void fail(const char* key, const std::string& text, std::initializer_list<const char*> others) override {
     r_.fail(key, text, others);
   }
   void restart(Restart effect) override { r_.restart(effect); }
+  KeyTable& as(Restart effect) override { return r_.as(effect), *this; }
   KeyTable& defaultAs(const char* words) override { return r_.defaultAs(words), *this; }
   KeyTable& byScene() override { return r_.byScene(), *this; }
   KeyTable& needed() override { return r_.needed(), *this; }
@@ -35,11 +38,27 @@ class TermKeys : public KeyTable {
               const char* about) override {
     r_.number(key, value, unit, range, about);
   }
+  void whole(const char* key, std::int64_t& value, std::int64_t low, std::int64_t high,
+             const char* about) override {
+    r_.whole(key, value, low, high, about);
+  }
+  void flag(const char* key, bool& value, const char* about) override { r_.flag(key, value, about); }
+  void blend(const BlendKey& key, Blend& value) override { r_.blend(key, value); }
   void byTemperature(const char* key, double& value, TemperatureTable& table, const char* unit,
                      const Range& range, const char* about) override {
-    if (r_.hasList(key) || !table.empty())
-      r_.pairs({key, "K", unit, {0, never, true, false, false}, positive(), "", ""}, table);
+    if (r_.hasList(key) || !table.empty()) pairs({key, unit, positive(), ""}, table);
     else r_.orAs(KeyForm::Type::Pairs).number(key, value, unit, range, about);
+  }
+  void byTemperature(const BlendKey& key, Blend& value, TemperatureTable& table) override {
+    if (r_.hasList(key.key) || !table.empty()) pairs({key.key, key.unit, positive(), ""}, table);
+    else r_.orAs(KeyForm::Type::Pairs).blend(key, value);
+  }
+  void byTemperature(const QuantityKey& key, TemperatureTable& table) override {
+    if (r_.hasList(key.key) || table.size() > 1) return pairs(key, table);
+    std::optional<double> value;
+    if (!table.empty()) value = table.front().second;
+    r_.orAs(KeyForm::Type::Pairs).number(key.key, value, key.unit, key.range, key.about);
+    if (value) table = {{0, *value}};
   }
   void vector(const char* key, Vec3d& value, const char* unit, const char* about) override {
     r_.vector(key, value, unit, about);
@@ -47,6 +66,13 @@ class TermKeys : public KeyTable {
   void choice(const char* key, int& value, const std::vector<std::string>& words,
               const char* about) override {
     r_.choice(key, value, words, about);
+  }
+  void table(const char* key, const char* about, bool there,
+             const std::function<void(KeyTable&)>& read) override {
+    r_.table(key, about, there, [&](TableReader& inner) {
+      TermKeys keys(inner);
+      read(keys);
+    });
   }
   void name(std::string& value) override {
     const std::string about = std::string("for messages and `--set`; none: \"") + table_->title +
@@ -63,6 +89,10 @@ class TermKeys : public KeyTable {
   }
 
  private:
+  void pairs(const QuantityKey& key, TemperatureTable& table) {
+    r_.pairs({key.key, "K", key.unit, {0, never, true, false, false}, key.range, "", key.about}, table);
+  }
+
   TableReader& r_;
   SceneReading* reading_ = nullptr;
   const TermTable* table_ = nullptr;
@@ -101,6 +131,18 @@ void readTermKeys(TableReader& r, Domain& domain) {
     if (term->model->domainKeys) term->model->domainKeys(keys, domain);
 }
 
+void readTermKeys(TableReader& r, Numerics& numerics) {
+  TermKeys keys(r);
+  for (const Extension* term : modelTerms())
+    if (term->model->numericsKeys) term->model->numericsKeys(keys, numerics);
+}
+
+void checkTermKeys(TableReader& r, const Material& material, const Numerics& numerics) {
+  TermKeys keys(r);
+  for (const Extension* term : modelTerms())
+    if (term->model->checkMaterial) term->model->checkMaterial(keys, material, numerics);
+}
+
 void readTermKeys(TableReader& r, Material& material, bool heat) {
   TermKeys keys(r);
   for (const Extension* term : modelTerms())
@@ -112,11 +154,14 @@ std::vector<std::string> keysOf(const ModelPart& term) {
   for (const TermTable& table : term.tables) all.push_back(std::string("[[") + table.key + "]]");
   std::vector<KeyDescription> keys;
   TableReader inDomain("domain", keys, TableReader::Mode::Describing);
+  TableReader inNumerics("numerics", keys, TableReader::Mode::Describing);
   TableReader inMaterial("material.NAME", keys, TableReader::Mode::Describing);
-  TermKeys domainKeys(inDomain), materialKeys(inMaterial);
+  TermKeys domainKeys(inDomain), numericsKeys(inNumerics), materialKeys(inMaterial);
   Domain domain;
+  Numerics numerics;
   Material material;
   if (term.domainKeys) term.domainKeys(domainKeys, domain);
+  if (term.numericsKeys) term.numericsKeys(numericsKeys, numerics);
   if (term.materialKeys) term.materialKeys(materialKeys, material);
   for (const KeyDescription& key : keys) all.push_back(key.table + "." + key.key);
   return all;

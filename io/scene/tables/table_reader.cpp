@@ -316,7 +316,7 @@ void TableReader::blend(const BlendKey& k, Blend& value) {
       r.number("liquid", value.liquid, k.unit, k.range, "");
     });
     if (errors_->size() > before) refused_.insert(k.key);
-  } else if (quantity(*n, k.key, k.unit, k.range, value.solid) && k.liquid == Liquid::Same) {
+  } else if (quantity(*n, k.key, k.unit, k.range, value.solid) && k.liquid == LiquidValue::Same) {
     value.liquid = value.solid;
   }
 }

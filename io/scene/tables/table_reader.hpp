@@ -148,15 +148,6 @@ class TableReader {
     choice(key, number, words, about);
     value = static_cast<Enum>(number);
   }
-  /// Value of the liquid if only one quantity is given.
-  enum class Liquid { Same, Unchanged };
-  /// A value for solid and liquid: one quantity, or { solid = ..., liquid = ... }.
-  struct BlendKey {
-    const char *key, *unit;
-    Range range;
-    Liquid liquid;
-    const char* about;
-  };
   void blend(const BlendKey& key, Blend& value);
   /// A list of pairs of quantities; the first ones ascend.
   struct PairsKey {

@@ -32,10 +32,10 @@ std::vector<std::string> flowLawLines(const Scene& scene, const Modules& modules
   forEachFlowLaw(scene, modules, [&](const Material& m) {
     const ThickFlow flow = thickFlowOf(scene, m);
     char text[320], rate[80] = "";
-    if (m.flowLaw.law != FlowLaw::Carreau)
+    if (hasLeastRate(m.flowLaw.law))
       std::snprintf(rate, sizeof rate, ", at rest below a shear rate of %.3g 1/s", flow.leastRate);
     std::snprintf(
-        text, sizeof text, "': %s%s, viscosity up to %.3g Pa s, %s", nameOf(m.flowLaw.law), rate,
+        text, sizeof text, "': %s%s, viscosity up to %.3g Pa s, %s", rowOf(m.flowLaw.law).title, rate,
         flow.viscosity,
         modules.implicitViscosity ? "no step limit (implicit viscosity)" : "which limits steps to ");
     char limit[40] = "";

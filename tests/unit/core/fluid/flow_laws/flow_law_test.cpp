@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/fluid/flow_laws/flow_law.hpp"
+#include "core/fluid/flow_laws/laws.hpp"
 
 namespace thaw::test {
 namespace {
@@ -71,6 +72,22 @@ TEST(FlowLaw, ViscosityAtRestIsBounded) {
   EXPECT_NEAR(leastFlowViscosity(s, least, 100), 0.7, 1e-6);
   s.largestViscosity = 1000;
   EXPECT_DOUBLE_EQ(apparentViscosity(flowCoefficients(s, least, 300), 0), 1000);
+}
+
+TEST(FlowLaw, LawsOfTheTableAreFiniteAtRestAndMonotonic) {
+  for (const FlowLawRow* row : flowLawTable)
+    for (const double n : {0.5, 1.0, 2.0}) {
+      FlowLawSettings s = settings(row->law, 50, 2, n);
+      s.infiniteViscosity = 0.5, s.relaxationTime = 3;
+      const FlowCoefficients c = flowCoefficients(s, least, 300);
+      EXPECT_GE(steepnessOf(s), 1) << row->name;
+      EXPECT_TRUE(std::isfinite(apparentViscosity(c, 0))) << row->name;
+      for (double rate = 1e-6; rate < 1e4; rate *= 1.3) {
+        const double slope = std::log(stressAt(s, 1.01 * rate) / stressAt(s, rate)) / std::log(1.01);
+        EXPECT_GT(slope, 0) << row->name << " at " << rate;
+        EXPECT_LT(slope, steepnessOf(s) + 1e-6) << row->name << " at " << rate;
+      }
+    }
 }
 
 TEST(FlowLaw, ParametersFollowTheTemperature) {

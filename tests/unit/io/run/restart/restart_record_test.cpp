@@ -196,8 +196,8 @@ TEST(RestartRecord, ChoicesAreReportedByTheirWords) {
           "body.bust.material: \"wax\" -> \"oil\"", "domain.sides.x: not periodic -> periodic",
           // The tap's material keeps its name and has another place.
           "material.oil: 1 -> 0 (place in the list)", "material.wax: 0 -> 1 (place in the list)",
-          "numerics.heat: \"enthalpy\" -> \"paper\"", "oriented.film.constraint.0.normal: false -> true",
-          "oriented.film.box.size is not in the scene any more",
+          "numerics.heat: \"enthalpy\" -> \"paper\"", "oriented.film.box.size is not in the scene any more",
+          "oriented.film.constraint.0.normal: false -> true",
           "sheet.cloth.grid.depth is not in the scene any more",
           "sheet.cloth.grid.width is not in the scene any more",
           "oriented.film.disc.radius was not in the scene then",

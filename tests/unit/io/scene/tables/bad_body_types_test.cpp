@@ -57,7 +57,7 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
        "oriented body"},
       {patch + "[[oriented.event]]\nkind = \"cut\"\nplane = { point = [0, 0, 0] }\nline = [[0, 0, 0], "
                "[0.1, 0, 0]]\n",
-       "s.toml:12:10: error: oriented.a.event.0.line: a second tool; expected one of `plane`, `line` and "
+       "s.toml:12:8: error: oriented.a.event.0.line: a second tool; expected one of `plane`, `line` and "
        "a shape: use one cut for each tool"},
       {patch + "[[oriented.event]]\nkind = \"crease\"\nalong = [[0, 0, 0], [0.1, 0, 0]]\nplane = { point = "
                "[0, 0, 0] }\n",
@@ -77,7 +77,7 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
        "shape, \"builtin:bust\" or \"builtin:head\""},
       {patch + "[[oriented.event]]\nkind = \"cut\"\nline = [[0, 0, 0], [0, 0, 0.1], [0, 0, "
                "0.3]]\ndirection = [0, 0, 2]\n",
-       "s.toml:11:10: error: oriented.a.event.0.line: is parallel to its `direction` and defines no plane: "
+       "s.toml:11:8: error: oriented.a.event.0.line: is parallel to its `direction` and defines no plane: "
        "expected a direction across the line"},
       {patch + "[[oriented]]\npatch = { width = 0.5, depth = 0.5 }\nintegrator = \"rk4\"\n",
        "s.toml:11:14: error: oriented.1.integrator: differs from that of the first oriented body, which sets "

@@ -14,9 +14,9 @@ void readThermostat(KeyTable& keys, Thermostat& t) {
   requireKey(keys, "temperature");
 }
 
-std::vector<ModuleUse> usesOfThermostats(const Scene& s, const Modules&) {
+std::vector<ModuleUse> usesOfThermostats(const Scene& s) {
   if (s.thermostats.empty()) return {};
-  return {{&Modules::heat, "heat", "a [[thermostat]] changes the temperature"}};
+  return {{&Modules::heat, "a [[thermostat]] changes the temperature"}};
 }
 
 OutsideSource startThermostats(const TermSetup&) {
@@ -32,7 +32,7 @@ Extension thermostatTerm() {
           .model = ModelPart{
               .tables = {termTable<&Scene::thermostats, readThermostat>(
                   "thermostat", "thermostat", "brings particles to a temperature, at any position")},
-              .uses = usesOfThermostats,
+              .earlyUses = usesOfThermostats,
               .stage = LoadStage::Exchange,
               .start = startThermostats,
               .energies = {"heat_in_J"}}};

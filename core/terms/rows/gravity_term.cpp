@@ -18,7 +18,7 @@ Extension gravityTerm() {
   return {.name = "gravity",
           .about = "uniform acceleration of all particles",
           .model = ModelPart{.domainKeys = readGravity,
-                             .limit = "acceleration",
+                             .limits = {"acceleration"},
                              .energies = {"gravity_J", "gravity_impulse_x_N_s", "gravity_impulse_y_N_s",
                                           "gravity_impulse_z_N_s"}}};
 }

@@ -18,14 +18,14 @@ void readExchange(KeyTable& keys, Material& m) {
               "heat transfer coefficient of free surfaces to `domain.ambient`");
 }
 
-std::vector<ModuleUse> usesOfHeatExchange(const Scene& s, const Modules&) {
+std::vector<ModuleUse> usesOfHeatExchange(const Scene& s) {
   std::vector<ModuleUse> all;
   for (const Material& m : s.materials) {
     const std::string who = "material '" + m.name + "' ";
-    if (m.heatSource != 0) all.push_back({&Modules::heat, "heat", who + "has a heat source"});
+    if (m.heatSource != 0) all.push_back({&Modules::heat, who + "has a heat source"});
     if (!(m.convection > 0 || m.emissivity > 0)) continue;
-    all.push_back({&Modules::heat, "heat", who + "exchanges heat with the ambient"});
-    all.push_back({&Modules::surfaceHeat, "surface heat", who + "has convection or emissivity"});
+    all.push_back({&Modules::heat, who + "exchanges heat with the ambient"});
+    all.push_back({&Modules::surfaceHeat, who + "has convection or emissivity"});
   }
   return all;
 }
@@ -42,7 +42,8 @@ Extension heatExchangeTerm() {
           .heats = true,
           .model = ModelPart{.domainKeys = readAmbient,
                              .materialKeys = readExchange,
-                             .uses = usesOfHeatExchange,
+                             .modules = {{&Modules::surfaceHeat, "surface heat"}},
+                             .earlyUses = usesOfHeatExchange,
                              .stage = LoadStage::Exchange,
                              .start = startHeatExchange,
                              .energies = {"heat_in_J"}}};

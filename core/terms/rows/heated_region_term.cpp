@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/heat/sources/heat_sources.hpp"
-#include "core/terms/source_keys.hpp"
+#include "core/terms/rows/source_keys.hpp"
 #include "core/terms/terms.hpp"
 
 namespace thaw {
@@ -17,7 +17,7 @@ void readHeatedRegion(KeyTable& keys, HeatedRegion& h) {
   requireKey(keys, "power");
 }
 
-std::vector<ModuleUse> usesOfHeatedRegions(const Scene& s, const Modules&) {
+std::vector<ModuleUse> usesOfHeatedRegions(const Scene& s) {
   std::vector<ModuleUse> all;
   addUses(s, s.heatedRegions, "heated region", all);
   return all;
@@ -42,12 +42,12 @@ Extension heatedRegionTerm() {
           .model = ModelPart{
               .tables = {termTable<&Scene::heatedRegions, readHeatedRegion>(
                   "heated_region", "heated region", "power that the particles in a shape receive")},
-              .uses = usesOfHeatedRegions,
+              .earlyUses = usesOfHeatedRegions,
               .stage = LoadStage::Sources,
               .start = startHeatedRegions,
-              .limit = "heat",
+              .limits = {"heat"},
               .stepLimit = regionStepLimit,
-              .energies = {"regions_given_J", "regions_absorbed_J", "heat_in_J"}}};
+              .energies = {"regions_given_J", "regions_absorbed_J", "regions_reflected_J", "heat_in_J"}}};
 }
 
 }  // namespace thaw

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "core/heat/sources/heat_sources.hpp"
-#include "core/terms/source_keys.hpp"
+#include "core/terms/rows/source_keys.hpp"
 #include "core/terms/terms.hpp"
 
 namespace thaw {
@@ -77,7 +77,7 @@ void readAbsorptivity(KeyTable& keys, Material& m) {
               "fraction of the light of lamps and lasers that the material absorbs; it reflects the rest");
 }
 
-std::vector<ModuleUse> usesOfLight(const Scene& s, const Modules&) {
+std::vector<ModuleUse> usesOfLight(const Scene& s) {
   std::vector<ModuleUse> all;
   addUses(s, s.lamps, "lamp", all);
   addUses(s, s.lasers, "laser", all);
@@ -103,10 +103,11 @@ Extension lightTerm() {
                        "light that exposed particles absorb: from a point, in a direction, or from an area"),
                    termTable<&Scene::lasers, readLaser>("laser", "laser", "beam with a Gaussian profile")},
               .materialKeys = readAbsorptivity,
-              .uses = usesOfLight,
+              .modules = {{&Modules::lamps, "heat sources"}},
+              .earlyUses = usesOfLight,
               .stage = LoadStage::Sources,
               .start = startLight,
-              .limit = "heat",
+              .limits = {"heat"},
               .stepLimit = lightStepLimit,
               .energies = {"lamps_given_J", "lamps_absorbed_J", "lamps_reflected_J", "lasers_given_J",
                            "lasers_absorbed_J", "lasers_reflected_J", "heat_in_J"}}};

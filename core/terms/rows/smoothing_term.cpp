@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/terms/liquid_uses.hpp"
+#include "core/terms/rows/liquid_uses.hpp"
 #include "core/terms/terms.hpp"
 
 namespace thaw {
@@ -10,8 +10,7 @@ void readSmoothing(KeyTable& keys, Material& m) {
 }
 
 std::vector<ModuleUse> usesOfSmoothing(const Scene& s, const Modules& m) {
-  return usesByLiquids(s, m, &Modules::xsph, "velocity smoothing (XSPH)",
-                       [](const Material& x) { return x.xsph > 0; });
+  return usesByLiquids(s, m, &Modules::xsph, [](const Material& x) { return x.xsph > 0; });
 }
 
 }  // namespace
@@ -21,6 +20,7 @@ Extension smoothingTerm() {
   return {.name = "velocity smoothing",
           .about = "liquid moves with a mean of the velocities around it (XSPH)",
           .model = ModelPart{.materialKeys = readSmoothing,
+                             .modules = {{&Modules::xsph, "velocity smoothing (XSPH)"}},
                              .uses = usesOfSmoothing,
                              .sweeps = {{.sum = &PairKernels::smoothing, .isOn = isOn}}}};
 }

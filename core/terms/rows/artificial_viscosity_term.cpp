@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/terms/liquid_uses.hpp"
+#include "core/terms/rows/liquid_uses.hpp"
 #include "core/terms/terms.hpp"
 
 namespace thaw {
@@ -17,7 +17,7 @@ void readArtificialViscosity(KeyTable& keys, Material& m) {
 }
 
 std::vector<ModuleUse> usesOfArtificialViscosity(const Scene& s, const Modules& m) {
-  return usesByLiquids(s, m, &Modules::artificialViscosity, "artificial viscosity",
+  return usesByLiquids(s, m, &Modules::artificialViscosity,
                        [](const Material& x) { return x.artificialViscosity > 0; });
 }
 
@@ -29,11 +29,12 @@ Extension artificialViscosityTerm() {
   return {.name = "artificial viscosity",
           .about = "damping of approaching pairs, which keeps sound waves stable",
           .model = ModelPart{.materialKeys = readArtificialViscosity,
+                             .modules = {{&Modules::artificialViscosity, "artificial viscosity"}},
                              .uses = usesOfArtificialViscosity,
                              .sweeps = {{.sum = &PairKernels::artificialViscosity,
                                          .isOn = isOn,
                                          .onto = PairTarget::ExplicitForce}},
-                             .limit = "viscosity",
+                             .limits = {"viscosity"},
                              .energies = {"dissipated_J"}}};
 }
 

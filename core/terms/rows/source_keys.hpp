@@ -24,8 +24,8 @@ void addUses(const Scene& s, const std::vector<Source>& sources, const std::stri
   if (!hasContinuum(s)) return;
   for (const Source& one : sources) {
     const std::string who = title + " '" + one.name + "'";
-    uses.push_back({&Modules::heat, "heat", who + " heats bodies"});
-    uses.push_back({&Modules::lamps, "heat sources", who});
+    uses.push_back({&Modules::heat, who + " heats bodies"});
+    uses.push_back({&Modules::lamps, who});
   }
 }
 
