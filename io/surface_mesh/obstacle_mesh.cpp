@@ -8,11 +8,13 @@
 #include <tuple>
 
 #include "core/geometry/marching/polygonise.hpp"
+#include "core/geometry/marching/sharp_edges.hpp"
 #include "core/geometry/meshes/mesh_normals.hpp"
 #include "core/geometry/shapes/shape_mesh.hpp"
 #include "io/image/image.hpp"
 #include "io/scene/scene_for_all.hpp"
 #include "io/surface_mesh/even_triangles.hpp"
+#include "io/surface_mesh/remove_slivers.hpp"
 
 namespace thaw {
 
@@ -64,6 +66,14 @@ double largestSize(const SignedDistance& distance) {
   return std::max({size.x, size.y, size.z});
 }
 
+TriangleMesh marchedMesh(const SignedDistance& distance) {
+  const Bounds box = distance.bounds();
+  const double edge = largestSize(distance) / cellsAcross;
+  const Vec3d margin{2 * edge, 2 * edge, 2 * edge};
+  return polygonise([&](const Vec3d& x) { return distance.distanceWithin(x, 2 * edge); },
+                    {box.min - margin, box.max + margin}, edge);
+}
+
 double volumeOf(const TriangleMesh& mesh) {
   double volume = 0;
   for (const auto& t : mesh.triangles)
@@ -94,7 +104,10 @@ TriangleMesh resurfaced(const TriangleMesh& marched, const SignedDistance& dista
 TriangleMesh evenMesh(const Shape& shape, const SignedDistance& distance) {
   const double largest = largestSize(distance);
   if (!isCut(shape)) return evenShapeMesh(shape, 2e-3 * largest, meshLoader());
-  return resurfaced(boundedMesh(shape, distance), distance, largest / cellsAcross);
+  const double edge = largest / cellsAcross;
+  TriangleMesh mesh = resurfaced(marchedMesh(distance), distance, edge);
+  removeSlivers(mesh, moveOntoEdges(mesh, distance, edge));
+  return mesh;
 }
 
 TriangleMesh meshOf(const Obstacle& obstacle, const Domain& domain, ObstacleTriangles kind) {
@@ -140,11 +153,7 @@ ComponentMesh withNormals(const TriangleMesh& mesh, const Vec3f& colour) {
 TriangleMesh boundedMesh(const Shape& shape, const SignedDistance& distance) {
   const double largest = largestSize(distance);
   if (!isCut(shape)) return shapeMesh(shape, 2e-3 * largest, meshLoader());
-  const Bounds box = distance.bounds();
-  const double edge = largest / cellsAcross;
-  const Vec3d margin{2 * edge, 2 * edge, 2 * edge};
-  return polygonise([&](const Vec3d& x) { return distance.distanceWithin(x, 2 * edge); },
-                    {box.min - margin, box.max + margin}, edge);
+  return withSharpEdges(marchedMesh(distance), distance, largest / cellsAcross);
 }
 
 ComponentMesh obstacleMesh(const Obstacle& obstacle, const Domain& domain, ObstacleTriangles kind) {

@@ -129,6 +129,16 @@ TEST(EvenTriangles, CoverDifferencesOfObstacles) {
   EXPECT_GE(anglesOf(even).least, 5);
   EXPECT_LE(anglesOf(even).share, 0.001);
   EXPECT_NEAR(volumeOf(even), volumeOf(few), 0.01 * volumeOf(few));
+  // Vertices are on the shape, and some hundred of them on its rim. Tangent planes of the ball leave it by up
+  // to the square of a cube's edge over its diameter.
+  const double off = 1.0 / (80 * 80);
+  const auto shape = makeSignedDistance(bowl.shape);
+  int onRim = 0;
+  for (const Vec3d& x : even.vertices) {
+    EXPECT_NEAR(shape->distance(x), 0, off);
+    onRim += std::hypot(std::hypot(x.x, x.y) - std::sqrt(0.24), x.z - 0.1) < 2 * off;
+  }
+  EXPECT_GT(onRim, 200);
 }
 
 }  // namespace thaw
