@@ -38,8 +38,8 @@ constexpr double burst = 0.5;
 constexpr double beside = 1.65;  // spacings, range of neighbours for an open border
 // Angle (rad) between neighbours with room for one more; it is 60 degrees in a hexagonal lattice.
 constexpr double openAngle = 1.95;
-// Fraction of the thickness, for births at borders. A surface on an obstacle is pressed in by less, unless
-// bonds pull it in, as at a gap.
+// Fraction of the thickness, for births at borders. A surface on an obstacle overlaps it by less, unless
+// bonds pull it inward, as at a gap.
 constexpr double fromObstacles = 0.5;
 constexpr std::uint64_t bornBit = std::uint64_t(1) << 63;
 

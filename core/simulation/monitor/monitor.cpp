@@ -62,8 +62,7 @@ MonitorLimits monitorLimits(const Scene& s, const Modules& modules,
   if (modules.flowLaw && !modules.implicitViscosity)
     for (std::size_t k = 0; k < s.materials.size(); k++)
       if (hasFlowLaw(s.materials[k])) longest = std::min(longest, flowLawStepLimit(s, s.materials[k]));
-  // The step also depends on the expected speed: if the materials limit only heat, that is by far the shorter
-  // one.
+  // The expected speed also limits the step, most of all where materials limit only heat.
   if (longest < never && b.expected > 0)
     longest = std::min(longest, supportsPerStep * n.support * s.spacing / b.expected);
   b.step = longest < never ? n.watchStep * longest : n.watchStep * 1e-5 * s.end;
