@@ -211,13 +211,13 @@ std::vector<SampledParticle> particlesOf(const SampledPoints& sampled, Constrain
   return particles;
 }
 
-void refuseOutside(const Domain& domain, const OrientedBody& body, const std::vector<Vec3d>& places,
+void refuseOutside(const Scene& scene, const OrientedBody& body, const std::vector<Vec3d>& places,
                    SceneProblems& problems) {
   Outside outside;
-  for (const Vec3d& x : places) outside.look(domain, x);
+  for (const Vec3d& x : places) outside.look(scene.domain, x, scene.spacing);
   if (outside.count > 0)
     problems.add(body.where, "oriented body '" + body.name + "': " +
-                                 outsideText(outside, domain, static_cast<std::int64_t>(places.size()),
+                                 outsideText(outside, scene.domain, static_cast<std::int64_t>(places.size()),
                                              "particles", "body"));
 }
 
@@ -239,7 +239,7 @@ std::vector<std::vector<Vec3d>> sampleOriented(Oriented& o, const Scene& scene, 
     for (const SampledParticle& p : particlesOf(sampled, constraints))
       if (p.number % ranks == rank) addSampledRow(o, scene, b, p);
     constraints.refuseEmpty(problems);
-    refuseOutside(scene.domain, body, places[b], problems);
+    refuseOutside(scene, body, places[b], problems);
   }
   if (scene.numerics.overlap != OverlapRule::Keep) refuseSharedPositions(scene, places, problems);
   problems.raise();

@@ -63,8 +63,9 @@ void checkInertia(const Scene& s, const SheetBody& b, const SheetRegion* r, std:
   const SourcePlace where = r ? r->where : b.massWhere;
   const bool damped = least(SheetFactor::Damping) > 0;
   if (!damped && !(least(SheetFactor::Stiffness) > 0)) {
-    errors.push_back(
-        {where, who + ": mass, damping and stiffness must not all be zero at the same time: set one"});
+    errors.push_back({where, who + (r ? ": mass, damping and stiffness must not all be zero at the same time"
+                                      : ": must not be zero while damping and stiffness are: set one of the "
+                                        "three")});
     return;
   }
   if (const std::string force = positionDependentForce(s, b); !damped && !force.empty())
