@@ -71,7 +71,7 @@ void activateOriented(Oriented& o, const Scene& scene, const Modules& modules) {
   if (modules.orientedContact || modules.sheetContact)
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.external, &o.dissipativeForce}) o.activate(*c);
   if (changes)
-    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.candidate, &o.candidateRank}) o.activate(*c);
+    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.candidate, &o.candidatePriority}) o.activate(*c);
   if (!scene.oriented.empty() && scene.oriented.front().integrator == OrientedIntegrator::SemiImplicit)
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.search, &o.searchSpin}) o.activate(*c);
 }

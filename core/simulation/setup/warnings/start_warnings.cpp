@@ -22,8 +22,8 @@ struct RowOwner {
   SourcePlace where;
   std::string name;
   const char* rows;
-  double thickness;            // m, contact distance to an obstacle
-  std::string wrapTargetName;  // target of its wrap, which pulls rows out as well as on
+  double thickness;                  // m, contact distance to an obstacle
+  std::string shrinkWrapTargetName;  // target of its wrap, which pulls rows out as well as on
 };
 
 std::string counted(std::int64_t n, std::int64_t all, const RowOwner& who) {
@@ -69,7 +69,7 @@ void warnOfPlaces(const World& w, const BodyTypeRows& rows, const std::vector<Ro
     if (!solidAt(w.scene.materials[static_cast<std::size_t>(body.material)], body.temperature))
       warnings.push_back(
           {who.where, text + "; contact will push the liquid of body '" + body.name + "' away"});
-    else if (who.wrapTargetName == body.name) return;
+    else if (who.shrinkWrapTargetName == body.name) return;
     else if (w.scene.numerics.overlap == OverlapRule::Keep)
       warnings.push_back({who.where, text + "; contact traps them there: move the bodies apart"});
     else

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/oriented/population/adaptive_sampling.hpp"
+#include "core/oriented/adaptive_sampling/adaptive_sampling.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,11 +8,11 @@
 
 #include "core/halo/exchange.hpp"
 #include "core/math/hash_random.hpp"
+#include "core/oriented/adaptive_sampling/blocked_sites.hpp"
+#include "core/oriented/adaptive_sampling/follow_interpolant.hpp"
+#include "core/oriented/adaptive_sampling/ledger_row.hpp"
 #include "core/oriented/forces/oriented_forces.hpp"
 #include "core/oriented/interpolation/interpolant.hpp"
-#include "core/oriented/population/blocked_sites.hpp"
-#include "core/oriented/population/follow_interpolant.hpp"
-#include "core/oriented/population/ledger_row.hpp"
 
 namespace thaw {
 namespace {
@@ -183,7 +183,7 @@ std::vector<std::uint64_t> rankLimits(const Oriented& o, const Scene& scene,
   const std::size_t bodies = members.size();
   const auto born = [&](const std::vector<std::uint64_t>& limit) {
     std::vector<std::int64_t> n(bodies, 0);
-    for (const std::uint32_t i : parents) n[o.body[i]] += o.candidateRank[i] <= limit[o.body[i]];
+    for (const std::uint32_t i : parents) n[o.body[i]] += o.candidatePriority[i] <= limit[o.body[i]];
     all.sum(n);
     return n;
   };
@@ -248,7 +248,7 @@ std::vector<BirthCandidate> findCandidates(const OrientedView& w, Halos halos,
   std::vector<std::uint32_t> parents;
   std::vector<BirthSite> sites;
   for (std::size_t i = 0; i < o.owned; i++) {
-    o.candidateRank[i] = 0;
+    o.candidatePriority[i] = 0;
     o.candidate[i] = {};
     const OrientedBody& body = w.scene.oriented[o.body[i]];
     if (body.growth == OrientedGrowth::None || members[o.body[i]] >= body.most) continue;
@@ -262,11 +262,11 @@ std::vector<BirthCandidate> findCandidates(const OrientedView& w, Halos halos,
     const std::uint32_t i = parents[k];
     if (blocked[k]) continue;
     o.candidate[i] = candidates[i].place - o.position[i];
-    o.candidateRank[i] = 1 + (randomBits(w.scene.seed, Purpose::OrientedBirth, o.id[i],
-                                         static_cast<std::uint64_t>(w.clock.step)) >>
-                              1);
+    o.candidatePriority[i] = 1 + (randomBits(w.scene.seed, Purpose::OrientedBirth, o.id[i],
+                                             static_cast<std::uint64_t>(w.clock.step)) >>
+                                  1);
   }
-  refresh(*halos.bodyTypes[orientedType], o, ColumnList{&o.candidate, &o.candidateRank}).wait();
+  refresh(*halos.bodyTypes[orientedType], o, ColumnList{&o.candidate, &o.candidatePriority}).wait();
   return candidates;
 }
 
@@ -287,13 +287,13 @@ PopulationChange selectChanges(const OrientedView& w) {
   for (std::size_t i = 0; i < o.owned; i++) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];
     const PairPotential& p = w.work.potentials[o.body[i]];
-    bool wins = o.candidateRank[i] > 0, dies = isOffInterpolant(o, w.work, i);
+    bool wins = o.candidatePriority[i] > 0, dies = isOffInterpolant(o, w.work, i);
     const std::uint64_t own = deathRank(i);
     for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
       const std::uint32_t j = l.list[k];
       if (!sameSurface(o, i, j)) continue;
       const Vec3d r = o.position[j] - o.position[i];
-      if (wins && o.candidateRank[j] > 0 && o.candidateRank[j] < o.candidateRank[i]) {
+      if (wins && o.candidatePriority[j] > 0 && o.candidatePriority[j] < o.candidatePriority[i]) {
         const Vec3d d = r + o.candidate[j] - o.candidate[i];
         wins = dot(d, d) >= 0.81 * p.spacing * p.spacing;
       }
@@ -336,7 +336,7 @@ bool adaptSampling(const OrientedView& w, Halos halos, double dt) {
   if (std::any_of(w.scene.oriented.begin(), w.scene.oriented.end(),
                   [](const OrientedBody& b) { return b.growth != OrientedGrowth::None; })) {
     const std::vector<std::uint64_t> limit = rankLimits(o, w.scene, members, change.parents, halos.all);
-    std::erase_if(change.parents, [&](std::uint32_t i) { return o.candidateRank[i] > limit[o.body[i]]; });
+    std::erase_if(change.parents, [&](std::uint32_t i) { return o.candidatePriority[i] > limit[o.body[i]]; });
   }
   std::int64_t changed = static_cast<std::int64_t>(change.parents.size() + change.dead.size());
   halos.all.sum({&changed, 1});
