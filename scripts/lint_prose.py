@@ -23,7 +23,7 @@ RETIRED = (
     (r'crowding', None, 'concentration gradient, or surplus particles'),
     (r'draping', 'meetContinuum', 'coupling or contact'),
     (r'steadying', 'pressureKick', 'divergence pressure, pressure impulse'),
-    (None, 'surfaceCover|surfacePull|surfaceDraw', 'color and the derivatives of its energy'),
+    (None, 'surfaceCover|surfacePull|surfaceDraw', 'colour and the derivatives of its energy'),
     (r'relink(s|ed|ing)?', 'relink[A-Z]', 'rebuild bonds'),
     (r'bared', 'coverBare|listBare', 'exposed'),
     (r'rags?|fins|specks?|twins|lumps|crumbs?', None, 'detached surfels, spurs, isolated colours, fragments'),

@@ -65,7 +65,7 @@ bool isNeighbour(const Oriented& o, const PairPotential& p, std::size_t i, std::
 }
 
 /// Returns whether the candidate lies in a gap of width `far` between i and j, where the surface is stretched
-/// or torn. Surfaces at rest or in vibration have none: the gap's sphere or column is occupied, the ring is
+/// or torn. Surfaces at rest or in vibration have none. The gap's sphere or column is occupied, the ring is
 /// full, or a birth costs more than a bond. Particles that fly apart are not a surface.
 bool isGap(const Oriented& o, const OrientedLists& l, const PairPotential& p, std::size_t i, std::size_t j,
            const BirthCandidate& at, int leastBeside, bool planar) {
@@ -167,7 +167,7 @@ BirthCandidate candidateAtBorder(const Oriented& o, const OrientedWork& work, co
 }
 
 /// Corrects the impulse of gravity for rows that enter or leave. The ledger assumes half kicks
-/// (core/simulation/time/integrate.cpp), but oriented particles get gravity at the start of a step: a newborn
+/// (core/simulation/time/integrate.cpp), but oriented particles get gravity at the start of a step. A newborn
 /// has none of it, a removed particle all.
 void recordGravityImpulse(const OrientedView& w, std::size_t i, double time) {
   for (int a = 0; a < 3; a++)
