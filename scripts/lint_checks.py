@@ -21,12 +21,13 @@ from lint_files import (
     isScript,
     licenceLine,
     readLines,
+    strangers,
     trackedFiles,
     withoutComments,
 )
 from lint_includes import circles, upwardIncludes
 from lint_names import unknownMembers, unknownPapers, unknownTests, unstyledTests
-from lint_prose import longSentences, persons, retiredWords
+from lint_prose import longManual, longSentences, persons, retiredWords
 
 MOST_COLUMNS = 110
 MOST_FILES = 30
@@ -327,7 +328,9 @@ CHECKS = {
         'Comments that begin with of, what, those or who, and decimals without a leading\n'
         f'zero: count and file. {SHRINKS}',
     ),
+    'top_level': (strangers, None),
     'sentences': (longSentences, None),
+    'manual': (longManual, None),
     'persons': (persons, None),
     'words': (retiredWords, None),
     'links': (deadLinks, None),

@@ -7,6 +7,11 @@ import re
 import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+TOP_LEVEL = (  # other names than those of dotfiles
+    'benchmarks blender cmake core docs examples io parallel python scenes scripts tests viewer '
+    'CHANGELOG.md CITATION.cff CMakeLists.txt CMakePresets.json CONTRIBUTING.md Containerfile LICENSE '
+    'README.md pyproject.toml setup.py'
+).split()
 LICENCE = 'SPDX-License-Identifier: Apache-2.0'
 
 
@@ -28,6 +33,14 @@ def trackedFiles():
         ]
         paths = [path for path in paths if not re.match(r'(build|out|\.git|\.cache)/|.*__pycache__/', path)]
     return sorted({path for path in paths if (ROOT / path).is_file()})
+
+
+def strangers(files):
+    """Files whose first folder, or whose own name at the top level, is not of TOP_LEVEL."""
+    for file in files:
+        top = file.split('/')[0]
+        if not top.startswith('.') and top not in TOP_LEVEL:
+            yield file, 1, None, f'{top} does not belong to the top level (TOP_LEVEL of lint_files.py)'
 
 
 def isCpp(file):

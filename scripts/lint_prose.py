@@ -5,7 +5,9 @@ import re
 from lint_files import comments, cppTexts, isCpp, readLines, withoutComments
 
 MOST_WORDS = 30  # in a sentence of the manual
+MOST_MANUAL_WORDS = 20000
 GENERATED = ('docs/scene.md', 'docs/bibliography.md')
+GENERATED_PAGES = ('docs/reference/python_api.md', 'docs/validation/accuracy.md', 'docs/performance.md')
 TEMPLATES = ('benchmarks/accuracy/text.md', 'benchmarks/performance/text.md')  # their tags look like words
 PERSONS = re.compile(
     r'\b(told|tells?|wants?|is asked|are asked|asks|knows|do(es)? not know'
@@ -17,11 +19,11 @@ RETIRED = (
     (r'book(s|ed|ing)?|bookkeeping', None, 'record, energy budget or ledger'),
     (r'(bring|send|go)s? home|(brought|sent) home', r'(bring|send)\w*Home\b', 'redistribute'),
     (r'ballots?|votes?', 'Ballot', 'time-step reduction'),
-    (r'(?<!-)fillings?', r'(?<![Bb]y)Filling', 'relative density'),
+    (r'(?<!-)fillings?', 'Filling', 'relative density'),
     (r'crowding', None, 'concentration gradient, or surplus particles'),
     (r'draping', 'meetContinuum', 'coupling or contact'),
     (r'steadying', 'pressureKick', 'divergence pressure, pressure impulse'),
-    (None, 'surfaceCover|surfacePull|surfaceDraw', 'color and the derivatives of its energy'),
+    (None, 'surfaceCover|surfacePull|surfaceDraw', 'colour and the derivatives of its energy'),
     (r'relink(s|ed|ing)?', 'relink[A-Z]', 'rebuild bonds'),
     (r'bared', 'coverBare|listBare', 'exposed'),
     (r'rags?|fins|specks?|twins|lumps|crumbs?', None, 'detached surfels, spurs, isolated colours, fragments'),
@@ -34,6 +36,15 @@ RETIRED = (
         r'(?i:near_?gaps|gap_?ceilings?|film_?room|open_?region|mixed_?bins)',
         'gap detection, active set, ...',
     ),
+    (r'solid slots?', '[sS]olidSlot', 'solid index'),
+    (r'anchor(s|ed|ing) (particles?|vert(ex|ices))', None, 'constraint'),
+    (
+        r'(?<!shrink-)wrap (forces?|targets?|pressure)',
+        r'(?<![Ss]hrink)Wrap(Body|Cell|Force|Kind|Target)\b',
+        'shrink-wrap',
+    ),
+    (None, r'(most|more)Halvings|[.>]halvings', 'backoff'),
+    (r'wanted volumes?', 'wantedVolume', 'target volume'),
     (r'standoffs?', None, 'contact offset'),
     (None, 'homeTurn', 'rest orientation'),
     (None, 'workingLoad|underWay', 'impulse in flight'),
@@ -91,6 +102,20 @@ def longSentences(files):
                     yield file, number, None, (
                         f'a sentence of {len(words)} words, at most {MOST_WORDS} are allowed: "{begin} ..."'
                     )
+
+
+def manualWords(file):
+    """Number of words of a page, without code, formulas, tables and headings."""
+    texts = (text for _, text in paragraphs(readLines(file)))
+    return sum(len(re.sub(r'`[^`]*`|\$[^$]*\$', '', text).split()) for text in texts)
+
+
+def longManual(files):
+    """The manual, if its pages that are written by hand have too many words."""
+    pages = [file for file in files if file.startswith('docs/') and file.endswith('.md')]
+    total = sum(manualWords(file) for file in pages if file not in GENERATED + GENERATED_PAGES)
+    if total > MOST_MANUAL_WORDS:
+        yield 'docs', 1, None, f'the manual has {total} words, at most {MOST_MANUAL_WORDS} are allowed'
 
 
 def persons(files):

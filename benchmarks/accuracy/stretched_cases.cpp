@@ -62,7 +62,7 @@ void addResiduals(Trial& r, double speed, std::vector<Figure>& figures) {
   figures.push_back({"momentum residual", length(ledger.momentumResidual) / (ledger.now.mass * speed), 1e-9});
 }
 
-void noteStart(Trial& r) {
+void recordStart(Trial& r) {
   r.notes["energy"] = kineticEnergy(r);
   r.notes["volume"] = densityVolume(r);
   r.notes["spin"] = spinMomentum(r);
@@ -119,7 +119,7 @@ void stretchDrop(Trial& r) {
   Continuum& p = r.world.particles;
   for (std::size_t i = 0; i < p.owned; i++)
     p.velocity[i] = {-stretchRate * p.position[i].x, stretchRate * p.position[i].y, 0};
-  noteStart(r);
+  recordStart(r);
 }
 
 /// The flow is linear, so x and y of every particle grow as the half axes. Moments and outermost particles
@@ -190,7 +190,7 @@ std::vector<Case> stretchedCases() {
       {.name = "rotating_patch",
        .about = "a spinning square of liquid: four arms, in one piece, at the density of the start (Le Touze "
                 "et al. 2013)",
-       .start = noteStart,
+       .start = recordStart,
        .measure = measurePatch,
        .adapt = makeSlab}};
 }

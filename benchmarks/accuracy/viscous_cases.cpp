@@ -85,7 +85,7 @@ Motion motionOf(Trial& r) {
   return {ledgerReport.now.momentum, ledgerReport.now.angularMomentum, ledgerReport.now.mass};
 }
 
-void noteMotion(Trial& r) {
+void recordMotion(Trial& r) {
   const Motion m = motionOf(r);
   for (int a = 0; a < 3; a++) {
     r.notes["P" + std::to_string(a)] = m.momentum[a];
@@ -142,7 +142,7 @@ std::vector<Case> viscousCases() {
        "free viscous drop in rigid rotation; angular momentum is constant",
        nullptr,
        {},
-       noteMotion,
+       recordMotion,
        {},
        measureSpin},
   };

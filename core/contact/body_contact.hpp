@@ -7,7 +7,7 @@
 //
 // with k_ij the harmonic mean of both E * spacing, and c such that two flat faces act as springs of stiffness
 // k_ij per pair of facing particles. The share s of a particle is 1 half a spacing below the surface of its
-// body, and less above (Continuum::contactDepth), so that faces touch where the surfaces of the bodies meet.
+// body, and less above (Continuum::contactDepth). Faces thus touch where the surfaces of the bodies meet.
 // These forces are central: energy, momentum and angular momentum are conserved. Friction is a spring along
 // the surface (CS79), whose displacement is part of the state. It is limited by Coulomb's law, and includes
 // static friction.

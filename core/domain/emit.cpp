@@ -248,7 +248,7 @@ std::vector<EmitterPlan> planEmitters(const Scene& s) {
 std::string misplacedOpening(const Scene& s, const Walls& walls, const Emitter& e, const EmitterPlan& plan) {
   const auto all = static_cast<std::int64_t>(plan.layer.size());
   Outside opening;
-  for (const Vec3d& x : plan.layer) opening.look(s.domain, x);
+  for (const Vec3d& x : plan.layer) opening.look(s.domain, x, s.spacing);
   if (opening.count > 0)
     return "emitter '" + e.name +
            "': " + outsideText(opening, s.domain, all, "positions of a layer", "emitter");
@@ -267,8 +267,8 @@ std::string unevenOutflow(const Scene& s, const Emitter& e, const EmitterPlan& p
   const double is = outflowOf(plan), meant = emittedDensity(s, e) * area * e.speed;
   if (e.rate > 0 || std::abs(is / meant - 1) < 0.25) return {};
   return "emitter '" + e.name + "' emits " + inDigits(is) + " kg/s, but opening, speed and density imply " +
-         inDigits(meant) + " kg/s: its layers have " + std::to_string(plan.layer.size()) +
-         " particles at whole spacings; reduce the spacing or set `rate`";
+         inDigits(meant) + " kg/s: at this spacing a layer has " + std::to_string(plan.layer.size()) +
+         (plan.layer.size() == 1 ? " particle" : " particles") + "; reduce the spacing or set `rate`";
 }
 
 std::int64_t layersUntil(const Emitter& e, const EmitterPlan& plan, double time) {

@@ -7,8 +7,11 @@
 
 namespace thaw {
 
-bool Outside::look(const Domain& d, const Vec3d& x) {
-  if (d.holds(x)) return false;
+bool Outside::look(const Domain& d, const Vec3d& x, double spacing) {
+  const double rounding = 1e-9 * spacing;
+  bool outside = false;
+  for (int a = 0; a < 3; a++) outside |= !(x[a] >= d.min[a] - rounding && x[a] <= d.max[a] + rounding);
+  if (!outside) return false;
   count++;
   for (int a = 0; a < 3; a++) {
     if (x[a] < d.min[a]) beyond[a][0] = std::max(beyond[a][0], d.min[a] - x[a]);
@@ -47,7 +50,8 @@ std::string outsideText(const Outside& o, const Domain& d, std::int64_t all, con
       sides += text;
     }
   return std::to_string(o.count) + " of its " + std::to_string(all) + " " + rows +
-         " lie outside of the domain" + sides + "; enlarge the domain or move the " + what;
+         (o.count == 1 ? " lies" : " lie") + " outside of the domain" + sides +
+         "; enlarge the domain or move the " + what;
 }
 
 }  // namespace thaw

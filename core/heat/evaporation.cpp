@@ -33,8 +33,8 @@ double flatLatticeIndicator(const Numerics& n) {
 /// evaporation is not 0 at any temperature.
 constexpr double mostCooling = 0.1;
 
-/// Carried relative density below which evaporation makes no tension. Vapour leaves from the surface, where
-/// the pressure is that of the gas: liquid that cannot follow at once leaves no void.
+/// Carried relative density below which evaporation lowers the density no further. Vapour leaves from the
+/// surface, where the pressure is that of the gas.
 constexpr double leastThinned = 0.99;
 
 double ramp(double x, const double (&between)[2]) {

@@ -22,7 +22,7 @@ void updateRestDensities(const HeatView& view, const RecordContext& records,
 inline constexpr double restDensityRate = 1e-3;
 
 /// Returns the extra work (J) of the first half kick, which used the pressure at compression `before` instead
-/// of the present one: the carried density changed after the kick. Requires: Continuum::compressionRate of
+/// of the present one. The carried density changed after the kick. Requires: Continuum::compressionRate of
 /// the last step. dt: s, the step.
 double workOfLateKick(const RecordContext& records, const Continuum& particles, std::size_t row,
                       double before, double dt);

@@ -33,7 +33,7 @@ struct Counters {
   std::int64_t connected = 0;  ///< liquid particles with at least two neighbours, in the last step with
                                ///< carried densities
   std::int64_t connectedDensity = 0;   ///< 1e-6, sum of their summed relative densities
-  std::int64_t asleep = 0;             ///< particles whose sums were skipped in the last step
+  std::int64_t sleeping = 0;           ///< particles whose sums were skipped in the last step
   std::int64_t unsolvedPressures = 0;  ///< solves that reached the iteration limit; on the first rank only
   std::int64_t contactIterations = 0;  ///< contacts of rigid pieces, all steps; on the first rank only
   std::int64_t contactUnfinished = 0;  ///< steps without convergence; on the first rank only

@@ -68,8 +68,8 @@ constexpr std::array<std::uint64_t, 256> makePlaces() {
 }
 inline constexpr std::array<std::uint64_t, 256> packedPlaces = makePlaces();
 
-/// As with AVX-512. Each store of eight gets its address from the start of the round, so stores do not depend
-/// on each other.
+/// Packs the neighbours as the version with AVX-512 does. Each store of eight gets its address from the start
+/// of the round, so stores do not depend on each other.
 std::uint32_t pickDirect(const SearchInput& in, const SearchRound* rounds, std::uint32_t count,
                          std::uint32_t self, std::uint32_t* out) {
   const std::uint16_t *const x = in.x, *const y = in.y, *const z = in.z;

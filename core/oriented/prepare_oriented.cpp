@@ -71,7 +71,7 @@ void activateOriented(Oriented& o, const Scene& scene, const Modules& modules) {
   if (modules.orientedContact || modules.sheetContact)
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.external, &o.dissipativeForce}) o.activate(*c);
   if (changes)
-    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.candidate, &o.candidateRank}) o.activate(*c);
+    for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.candidate, &o.candidatePriority}) o.activate(*c);
   if (!scene.oriented.empty() && scene.oriented.front().integrator == OrientedIntegrator::SemiImplicit)
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.search, &o.searchSpin}) o.activate(*c);
 }
@@ -211,13 +211,13 @@ std::vector<SampledParticle> particlesOf(const SampledPoints& sampled, Constrain
   return particles;
 }
 
-void refuseOutside(const Domain& domain, const OrientedBody& body, const std::vector<Vec3d>& places,
+void refuseOutside(const Scene& scene, const OrientedBody& body, const std::vector<Vec3d>& places,
                    SceneProblems& problems) {
   Outside outside;
-  for (const Vec3d& x : places) outside.look(domain, x);
+  for (const Vec3d& x : places) outside.look(scene.domain, x, scene.spacing);
   if (outside.count > 0)
     problems.add(body.where, "oriented body '" + body.name + "': " +
-                                 outsideText(outside, domain, static_cast<std::int64_t>(places.size()),
+                                 outsideText(outside, scene.domain, static_cast<std::int64_t>(places.size()),
                                              "particles", "body"));
 }
 
@@ -239,7 +239,7 @@ std::vector<std::vector<Vec3d>> sampleOriented(Oriented& o, const Scene& scene, 
     for (const SampledParticle& p : particlesOf(sampled, constraints))
       if (p.number % ranks == rank) addSampledRow(o, scene, b, p);
     constraints.refuseEmpty(problems);
-    refuseOutside(scene.domain, body, places[b], problems);
+    refuseOutside(scene, body, places[b], problems);
   }
   if (scene.numerics.overlap != OverlapRule::Keep) refuseSharedPositions(scene, places, problems);
   problems.raise();

@@ -5,15 +5,15 @@
 #include <cmath>
 
 #include "core/domain/sides.hpp"
+#include "core/oriented/adaptive_sampling/adaptive_sampling.hpp"
+#include "core/oriented/adaptive_sampling/events.hpp"
+#include "core/oriented/adaptive_sampling/redistribute_oriented.hpp"
 #include "core/oriented/forces/constraint_work.hpp"
 #include "core/oriented/forces/constraints.hpp"
 #include "core/oriented/forces/fields.hpp"
 #include "core/oriented/forces/oriented_forces.hpp"
 #include "core/oriented/integrators/integrators.hpp"
 #include "core/oriented/laws/oriented_reach.hpp"
-#include "core/oriented/population/adaptive_sampling.hpp"
-#include "core/oriented/population/events.hpp"
-#include "core/oriented/population/redistribute_oriented.hpp"
 
 namespace thaw {
 namespace {

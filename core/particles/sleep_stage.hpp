@@ -6,6 +6,6 @@
 namespace thaw {
 
 /// Values of Continuum::sleep.
-inline constexpr std::uint8_t awake = 0, sleepFixed = 1, sleepSettled = 2, asleep = 3;
+inline constexpr std::uint8_t awake = 0, sleepFixed = 1, sleepSettled = 2, sleeping = 3;
 
 }  // namespace thaw

@@ -98,7 +98,7 @@ void acceptContacts(const RigidView& v, const SolvedContacts& solved, double dt,
   if (v.modules.pieceSleep) {
     updateRest(v, {solved.contacts, solved.after, dt}, all);
     balanceSleeping(v.pieces, dt);
-    v.counters.asleep = countAsleep(v.pieces);
+    v.counters.sleeping = countAsleep(v.pieces);
   }
   if (all.rank() != 0) return;
   v.counters.contactIterations += v.work.contacts.iterations;

@@ -23,7 +23,7 @@ struct SolvedContacts {
 /// or touched. Requires: rows of the pieces of owned particles and ghosts. Collective.
 SolvedContacts findContactImpulses(const RigidView& view, const Halos& halos, double dt);
 
-/// Records the contacts of the next step, of dt (s), and lets pieces fall asleep. Collective.
+/// Records the contacts of the next step, of dt (s), and updates the sleep state of pieces. Collective.
 void acceptContacts(const RigidView& view, const SolvedContacts& solved, double dt, Reducer& all);
 
 }  // namespace thaw

@@ -31,7 +31,7 @@ void sortRows(Pieces& p) {
 std::vector<Need> findNeeds(const RigidView& v, const CellHalo& cells, PieceUsers users, bool alone) {
   const Continuum& p = v.particles;
   std::unordered_map<std::uint64_t, Need> found;
-  Need* last = nullptr;  // that of the row before, which is most often the same
+  Need* last = nullptr;  // need of the previous row, usually the same piece
   const auto add = [&](std::size_t i) -> Need& {
     if (!last || last->id != p.piece[i]) last = &found[p.piece[i]];
     last->id = p.piece[i];

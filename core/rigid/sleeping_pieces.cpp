@@ -29,7 +29,7 @@ bool anyObstacleVanishes(const RigidView& v, double dt) {
 }
 
 void wake(Pieces& p, std::size_t k) {
-  p.asleep[k] = 0;
+  p.sleeping[k] = 0;
   p.restTime[k] = 0;
 }
 
@@ -64,7 +64,7 @@ void wakePieces(Pieces& p) {
 void wakeLoaded(const RigidView& v, double dt) {
   const bool every = anyObstacleVanishes(v, dt);
   for (std::size_t k = 0; k < v.pieces.owned; k++)
-    if (v.pieces.asleep[k] && (every || !onlyWeighs(v, k))) wake(v.pieces, k);
+    if (v.pieces.sleeping[k] && (every || !onlyWeighs(v, k))) wake(v.pieces, k);
 }
 
 void wakeNearChanges(const RigidView& v, Reducer& all) {
@@ -88,16 +88,16 @@ void wakeNearChanges(const RigidView& v, Reducer& all) {
 
 bool wakeTouched(const RigidView& v, std::span<const FoundContact> contacts, Reducer& all) {
   Pieces& p = v.pieces;
-  const auto moves = [&](std::size_t k) { return !p.asleep[k] && !p.fixed[k] && !(p.restTime[k] > 0); };
+  const auto moves = [&](std::size_t k) { return !p.sleeping[k] && !p.fixed[k] && !(p.restTime[k] > 0); };
   std::vector<std::int64_t> touched(p.owned, 0);
   for (const FoundContact& f : contacts) {
     const RigidContact& c = f.contact;
     if (c.b == noPiece) {
-      touched[c.a] += p.asleep[c.a];  // sleeping pieces have contacts with moving obstacles only
+      touched[c.a] += p.sleeping[c.a];  // sleeping pieces have contacts with moving obstacles only
       continue;
     }
-    if (p.asleep[c.a] && moves(c.b)) touched[c.a]++;
-    if (p.asleep[c.b] && moves(c.a)) touched[c.b]++;
+    if (p.sleeping[c.a] && moves(c.b)) touched[c.a]++;
+    if (p.sleeping[c.b] && moves(c.a)) touched[c.b]++;
   }
   sumOfRows(v, touched, all);
   double woke = 0;
@@ -112,7 +112,7 @@ bool wakeTouched(const RigidView& v, std::span<const FoundContact> contacts, Red
 
 void holdSleeping(const Pieces& p, std::span<PieceMotion> motions) {
   for (std::size_t k = 0; k < p.owned; k++) {
-    if (!p.asleep[k]) continue;
+    if (!p.sleeping[k]) continue;
     motions[k].inverseMass = 0;
     motions[k].inverseInertia = {};
     motions[k].velocity = motions[k].spin = {};
@@ -123,10 +123,10 @@ void updateRest(const RigidView& v, const RestInput& x, Reducer& all) {
   Pieces& p = v.pieces;
   const double enough = v.scene.numerics.sleepAfter;
   for (std::size_t k = 0; k < p.owned; k++)
-    if (!p.asleep[k] && !p.fixed[k])
+    if (!p.sleeping[k] && !p.fixed[k])
       p.restTime[k] = isAtRest(v, k, x.after[k], x.dt) ? p.restTime[k] + x.dt : 0;
   std::vector<std::int64_t> unrest(p.owned, 0);
-  const auto rests = [&](std::size_t k) { return p.asleep[k] || p.fixed[k] || p.restTime[k] >= enough; };
+  const auto rests = [&](std::size_t k) { return p.sleeping[k] || p.fixed[k] || p.restTime[k] >= enough; };
   for (const FoundContact& f : x.contacts) {
     const RigidContact& c = f.contact;
     if (c.b == noPiece) {
@@ -138,12 +138,12 @@ void updateRest(const RigidView& v, const RestInput& x, Reducer& all) {
   }
   sumOfRows(v, unrest, all);
   for (std::size_t k = 0; k < p.owned; k++)
-    if (!p.fixed[k] && p.restTime[k] >= enough && unrest[k] == 0) p.asleep[k] = 1;
+    if (!p.fixed[k] && p.restTime[k] >= enough && unrest[k] == 0) p.sleeping[k] = 1;
 }
 
 void balanceSleeping(Pieces& p, double dt) {
   for (std::size_t k = 0; k < p.owned; k++) {
-    if (!p.asleep[k]) continue;
+    if (!p.sleeping[k]) continue;
     // in the order in which the drift adds them, so the sum is exactly zero
     Vec3d momentum = p.momentum[k], spin = p.angularMomentum[k];
     momentum += p.pressureImpulse[k];
@@ -159,7 +159,7 @@ void balanceSleeping(Pieces& p, double dt) {
 std::int64_t countAsleep(const Pieces& p) {
   std::int64_t count = 0;
   for (std::size_t k = 0; k < p.owned; k++)
-    if (p.asleep[k]) count += p.here[k];
+    if (p.sleeping[k]) count += p.here[k];
   return count;
 }
 

@@ -47,7 +47,7 @@ struct RestInput {
   double dt;                           ///< s, length of that step
 };
 
-/// Updates rest times, and lets pieces fall asleep. Collective.
+/// Updates rest times, and the sleep state of pieces. Collective.
 void updateRest(const RigidView& view, const RestInput& input, Reducer& all);
 
 /// Sets the impulses of sleeping pieces for the next step, of dt (s): they bring the piece to rest.

@@ -309,7 +309,7 @@ void setRow(Pieces& p, std::size_t row, const NewPieces& n, std::size_t k, const
   p.count[row] = n.count[k];
   p.contactLoad[row] = sums[26].value();
   p.restTime[row] = 0;
-  p.asleep[row] = 0;
+  p.sleeping[row] = 0;
   p.mass[row] = n.mass[k];
   p.centre[row] = n.centre[k];
   p.fixed[row] = sums[19].value() > 0;

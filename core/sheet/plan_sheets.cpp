@@ -350,7 +350,7 @@ void addPlan(const Scene& s, std::size_t n, const MeshLoader& load, SheetPlans& 
   planEdges(b, factor, plan);
   planContact(s, n, plan, std::span(all.laws).subspan(firstLaw));
   plan.normals = b.volumeStiffness > 0 || (b.shrinkWrap != 0 && b.shrinkWrapTo.empty()) || b.windDensity > 0;
-  if (b.shrinkWrap != 0) plan.wrapTarget = wrapTarget(s, n);
+  if (b.shrinkWrap != 0) plan.shrinkWrapTarget = shrinkWrapTarget(s, n);
   planParts(b, n, plan, all.laws, all.parts);
   plan.hinges = hingesOf(b, plan, factor);
   all.plans.push_back(std::move(plan));

@@ -13,7 +13,7 @@
 #include "core/sheet/forces/outer_forces.hpp"
 #include "core/sheet/forces/time_factors.hpp"
 #include "core/sheet/move_vertices.hpp"
-#include "core/sheet/wrap/shrink_wrap.hpp"
+#include "core/sheet/shrink_wrap/shrink_wrap.hpp"
 #include "core/time/frame_times.hpp"
 
 namespace thaw {

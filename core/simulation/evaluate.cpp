@@ -15,6 +15,7 @@ namespace {
 /// Brings each particle to the rank of its cell, then the data that belong to particles.
 void redistributeAll(StepContext& c) {
   redistribute(c);  // emit, remove, migrate, sort by (cell, id)
+  // rebuilds bonds, migrates and links sheets and oriented particles, finds vanished obstacles
   runPhase(ModulePhase::Redistributed, c);
   c.t.phaseChange.here = false;
 }
@@ -22,10 +23,10 @@ void redistributeAll(StepContext& c) {
 /// Finds the neighbours of inner rows, or of the others, and sums their densities.
 void sumDensities(StepContext& c, Part part, ModulePhase before) {
   markInner(c.w.cells, c.w.particles.owned, c.halos.cells, c.t.sums.inner);
-  runPhase(before, c);
+  runPhase(before, c);  // skips sleeping rows
   searchNeighbours(c.w, c.t, part, c.dt);
   c.rows = passRows(part, c.w.neighbours, c.w.particles.owned, c.w.particles.size());
-  runPhase(ModulePhase::DensitySums, c);
+  runPhase(ModulePhase::DensitySums, c);  // density, carried density, colours of surface tension
   c.t.times.lap(StepPhase::Density);
 }
 
@@ -36,16 +37,17 @@ void findDensities(StepContext& c) {
   const bool search = needsNeighbours(w.modules, t.solid);
   Exchange ghosts;
   if (search) ghosts = sendGhosts(c.halos.cells, w.particles, w.cells, ghostColumns(w.modules, w.particles));
-  runPhase(ModulePhase::GhostsSent, c);
+  runPhase(ModulePhase::GhostsSent, c);  // positions of bonded rows of other ranks
   t.times.lap(StepPhase::Exchange);
   clearRates(w.particles, w.modules.uniform);
   if (search) {
-    runPhase(ModulePhase::BeforeDensity, c);
+    runPhase(ModulePhase::BeforeDensity, c);  // rates of the carried density
     sumDensities(c, Part::Inner, ModulePhase::InnerRows);
     ghosts.wait();
     t.times.lap(StepPhase::Exchange);
     sumDensities(c, Part::Boundary, ModulePhase::BoundaryRows);
   }
+  // density near walls, shifting, viscosity of flow laws, tension at walls, contacts of bodies, exposure
   runPhase(ModulePhase::Density, c);
   t.times.lap(StepPhase::Contact);
 }
@@ -64,7 +66,7 @@ ColumnList densityColumns(Continuum& p) {
 void sumForces(StepContext& c, Part part) {
   if (!c.w.modules.neighbours) return;  // a scene of one solid searches only to form its bonds
   c.rows = passRows(part, c.w.neighbours, c.w.particles.owned, c.w.particles.size());
-  runPhase(ModulePhase::ForceSums, c);
+  runPhase(ModulePhase::ForceSums, c);  // pressure, viscosity, tension, conduction, close pairs of solids
   c.t.times.lap(StepPhase::Forces);
 }
 
@@ -76,27 +78,28 @@ void findForces(StepContext& c) {
   Exchange densities;
   if (!columns.empty()) densities = refresh(c.halos.cells, w.particles, columns);
   t.times.lap(StepPhase::Exchange);
-  runPhase(ModulePhase::Deformation, c);
+  runPhase(ModulePhase::Deformation, c);  // strain and plastic flow of solids
   if (c.bondsForm) {
-    densities.wait();  // bonds send further columns of ghosts
-    runPhase(ModulePhase::NewBonds, c);
+    densities.wait();                    // bonds send further columns of ghosts
+    runPhase(ModulePhase::NewBonds, c);  // freezing, welding
   }
-  runPhase(ModulePhase::Stress, c);
+  runPhase(ModulePhase::Stress, c);  // fracture, new references, exchange of stress
   sumForces(c, Part::Inner);
   densities.wait();
   t.times.lap(StepPhase::Exchange);
   sumForces(c, Part::Boundary);
+  // elastic forces, tension by curvature, forces of scenes and extensions
   runPhase(ModulePhase::ContinuumForce, c);
 }
 
 /// Contact of solids, walls, sheets and oriented particles.
 void addContacts(StepContext& c) {
-  runPhase(ModulePhase::Contact, c);
+  runPhase(ModulePhase::Contact, c);  // contact of solids, constraint forces of sleeping ones
   c.t.times.lap(StepPhase::Contact);
   if (c.w.particles.wallOffset.active) findWallOffsets(c.walls.world, c.t.walls.contacts, c.w.bonds);
   addWallForces(c.walls, c.t.sums.scales.inverseLatticeSum, c.t.walls.contacts);
   c.t.times.lap(StepPhase::Walls);
-  runPhase(ModulePhase::Coupling, c);
+  runPhase(ModulePhase::Coupling, c);  // sheets, oriented particles
   recordClamps(c.walls, c.t.walls.contacts);
 }
 
@@ -109,13 +112,14 @@ void evaluate(StepContext& c) {
   // First, since it projects particles out of walls: ghosts and bonds must use the new positions.
   findWallContacts(c.walls, t.walls.contacts);
   t.times.lap(StepPhase::Walls);
-  runPhase(ModulePhase::WallContacts, c);
+  runPhase(ModulePhase::WallContacts, c);  // frozen particles, stages of sleep
   const std::int64_t coincident = c.w.counters.coincidentPairs;
   findDensities(c);
   t.hooks.after(HookPhase::Density);
   findForces(c);
   recordProjections(c.walls, t.walls.contacts);
   addContacts(c);
+  // heat of walls, surroundings and sources; evaporation, mush, implicit viscosity, thermostats
   runPhase(ModulePhase::AllForces, c);
   if (c.w.modules.neighbours) separateCoincident(c.w, t.sums.records, coincident);
   t.times.lap(StepPhase::Heat);

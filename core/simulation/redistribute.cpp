@@ -66,7 +66,7 @@ void migrateParticles(StepContext& c) {
   work.migration = {};
   if (work.moved) work.migration = c.halos.cells.migrate(p, {p.nextCell.data(), p.owned});
   computeCellKeys(c.w.grid, p, before, p.owned);
-  runPhase(ModulePhase::Migrated, c);
+  runPhase(ModulePhase::Migrated, c);  // bonds follow their particles; pieces, sleep
   c.t.times.lap(StepPhase::Migrate);
   if (work.leaving.empty()) return;
   std::vector<std::uint32_t> gone;
@@ -105,7 +105,7 @@ void redistribute(StepContext& c) {
   RedistributionWork& work = c.t.redistribution;
   if (p.ghosts > 0) p.resize(p.owned, 0);
   work.emitted = 0;
-  runPhase(ModulePhase::Emission, c);
+  runPhase(ModulePhase::Emission, c);  // layers of emitters
 
   // Without neighbour sums particles may stay on their first rank, so that bonds, which follow their ends
   // across ranks, need not migrate.
@@ -117,7 +117,7 @@ void redistribute(StepContext& c) {
   work.mayLeave = true;
   findCells(w, work.leaving, work.moved, open);
   if (!work.moved && !work.leaving.empty()) findCells(w, work.leaving, true, open);
-  runPhase(ModulePhase::Leaving, c);
+  runPhase(ModulePhase::Leaving, c);  // evaporated particles
   c.leftBonds = takeLeaving(c);
   migrateParticles(c);
   Migration& m = work.migration;

@@ -11,7 +11,7 @@ namespace thaw {
 namespace {
 
 /// Limits, failures and requests of this rank.
-void reductionHere(StepContext& c, const StepOutcome& here, Requests wanted) {
+void reductionHere(StepContext& c, const StepOutcome& here, Requests requests) {
   World& w = c.w;
   StepTools& t = c.t;
   StepLimits& own = c.limits;
@@ -30,9 +30,9 @@ void reductionHere(StepContext& c, const StepOutcome& here, Requests wanted) {
   reduction.froze = t.phaseChange.frozeAnywhere;
   reduction.melted = t.phaseChange.meltedAnywhere;
   reduction.bad = here.badHere || !here.finite;
-  reduction.stop = wanted.stop;
-  reduction.report = wanted.report;
-  reduction.checkpoint = wanted.checkpoint;
+  reduction.stop = requests.stop;
+  reduction.report = requests.report;
+  reduction.checkpoint = requests.checkpoint;
   runPhase(ModulePhase::Limits, c);
 }
 
@@ -65,10 +65,10 @@ void setNextStep(MonitorState& monitor, const Scene& scene, Clock& clock, StepLi
 
 }  // namespace
 
-StepOutcome reduceStep(StepContext& c, StepOutcome here, Requests wanted) {
+StepOutcome reduceStep(StepContext& c, StepOutcome here, Requests requests) {
   World& w = c.w;
   StepTools& t = c.t;
-  reductionHere(c, here, wanted);
+  reductionHere(c, here, requests);
   t.times.lap(StepPhase::Drift);
   reduceOverRanks(c.reduction, c.halos.all, w.modules);
   t.times.lap(StepPhase::Reduce);
@@ -79,7 +79,7 @@ StepOutcome reduceStep(StepContext& c, StepOutcome here, Requests wanted) {
   t.phaseChange.frozeAnywhere = reduction.froze > 0;
   t.phaseChange.meltedAnywhere = reduction.melted > 0;
   all.finite = !(reduction.bad > 0);
-  all.wanted = {reduction.stop > 0, reduction.report > 0, reduction.checkpoint > 0};
+  all.requests = {reduction.stop > 0, reduction.report > 0, reduction.checkpoint > 0};
   all.surfaceMove2 = reduction.surfaceMove2;
   all.failure = all.finite ? failureOf(w, t.limits.monitor, c.commonLimits, reduction.relativeDensity)
                            : Failure::NotFinite;
@@ -88,9 +88,9 @@ StepOutcome reduceStep(StepContext& c, StepOutcome here, Requests wanted) {
   return all;
 }
 
-StepOutcome reduceStep(World& w, Halos halos, StepTools& t, StepOutcome here, Requests wanted) {
+StepOutcome reduceStep(World& w, Halos halos, StepTools& t, StepOutcome here, Requests requests) {
   StepContext c = stepContext(w, halos, t, 0);
-  return reduceStep(c, here, wanted);
+  return reduceStep(c, here, requests);
 }
 
 }  // namespace thaw

@@ -63,7 +63,7 @@ StepContext stepContext(World& w, Halos halos, StepTools& t, double dt) {
   return {w, halos, t, dt, dt > 0 ? timeAfter(w.clock, dt) : w.clock.time, walls};
 }
 
-StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
+StepOutcome step(World& w, Halos halos, StepTools& t, Requests requests) {
   t.times.start();
   StepContext c = stepContext(w, halos, t, nextStep(w.clock));
   predict(c);
@@ -77,7 +77,7 @@ StepOutcome step(World& w, Halos halos, StepTools& t, Requests wanted) {
   w.clock.time = c.time;
   w.clock.stepDt = c.dt;
   w.clock.step++;
-  const StepOutcome all = reduceStep(c, here, wanted);  // the next step
+  const StepOutcome all = reduceStep(c, here, requests);  // the next step
   c.finite = all.finite;
   runPhase(ModulePhase::EndOfStep, c);
   t.hooks.after(HookPhase::EndOfStep);

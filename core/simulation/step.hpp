@@ -20,7 +20,7 @@ struct Requests {
 /// Common result of all ranks after a step.
 struct StepOutcome {
   Limit limitedBy = Limit::Scene;
-  Requests wanted;                  ///< by any rank
+  Requests requests;                ///< by any rank
   Failure failure = Failure::None;  ///< result of the stability monitor
   bool finite = true;  ///< false: some value is not finite; `bad` is its row on the rank that has it
   bool badHere = false;
@@ -37,15 +37,15 @@ struct StepOutcome {
 void evaluate(World& world, Halos halos, StepTools& tools, double dt);
 
 /// Reduces the limits of all ranks and sets the next step in the clock. Collective.
-StepOutcome reduceStep(World& world, Halos halos, StepTools& tools, StepOutcome here, Requests wanted);
+StepOutcome reduceStep(World& world, Halos halos, StepTools& tools, StepOutcome here, Requests requests);
 
 /// As above, with the context of a step.
 void evaluate(StepContext& context);
-StepOutcome reduceStep(StepContext& context, StepOutcome here, Requests wanted);
+StepOutcome reduceStep(StepContext& context, StepOutcome here, Requests requests);
 
 /// One leap-frog step of Clock::dt, shortened to hit the next frame time. Requires: accelerations, from one
 /// call of evaluate and reduceStep before the first step. Collective; the same bits on any number of ranks.
-StepOutcome step(World& world, Halos halos, StepTools& tools, Requests wanted);
+StepOutcome step(World& world, Halos halos, StepTools& tools, Requests requests);
 
 /// Returns the exact total mass (kg) of all ranks. Collective.
 double totalMass(const Continuum& particles, Reducer& all);

@@ -25,14 +25,14 @@ std::uint8_t bitsOf(const Continuum& p, const CellTable& cells, std::size_t c, d
   const float* const restTime = p.restTime.data() + first;
   const std::uint8_t* const sleep = p.sleep.data() + first;
   float shortest = std::numeric_limits<float>::infinity();
-  std::uint8_t lightest = asleep;
+  std::uint8_t lightest = sleeping;
   for (std::size_t k = 0; k < count; k++) {
     shortest = restTime[k] < shortest ? restTime[k] : shortest;
     lightest = sleep[k] < lightest ? sleep[k] : lightest;
   }
   return static_cast<std::uint8_t>((static_cast<double>(shortest) >= after ? AtRest : 0) |
                                    (lightest >= sleepSettled ? Settled : 0) |
-                                   (lightest == asleep ? Asleep : 0));
+                                   (lightest == sleeping ? Asleep : 0));
 }
 
 /// Stage 2 around a cell is not enough. Bonds carry the stress of their other end from two cells away; around
@@ -282,7 +282,7 @@ void keepSteady(const SleepView& w, std::size_t first, std::size_t count) {
   std::fill_n(p.dissipation.data() + first, count, 0.0);
   std::fill_n(w.neighbours.neighbours.data() + first, count,
               decltype(w.neighbours.neighbours)::value_type{0});
-  w.counters.asleep += static_cast<std::int64_t>(count);
+  w.counters.sleeping += static_cast<std::int64_t>(count);
   for (std::size_t i = first; p.clamped.active && i < first + count; i++) {
     if (!p.clamped[i]) continue;
     // The known forces may be complete or none: the recorded force is exact in both cases.
@@ -298,7 +298,7 @@ void updateSleep(const SleepView& w, double dt) {
   SleepWork& s = w.sleep;
   const Vec3d g = w.scene.domain.gravity;
   const bool clamps = p.clamped.active;
-  w.counters.asleep = 0;
+  w.counters.sleeping = 0;
   recordSteady(p, s, w.ledger);
   for (std::size_t c = 0; c < w.cells.key.size(); c++) {
     const std::size_t first = w.cells.first[c], count = w.cells.count[c];
@@ -318,7 +318,7 @@ void updateSleep(const SleepView& w, double dt) {
       if (!atRest || !(around & AtRest)) p.sleep[i] = awake;
       else if (p.sleep[i] == awake) p.sleep[i] = sleepFixed;
       else if (p.sleep[i] == sleepFixed) p.sleep[i] = sleepSettled;
-      else p.sleep[i] = (around & Settled) && mayBeSkipped(w, p.solidIndex[i]) ? asleep : sleepSettled;
+      else p.sleep[i] = (around & Settled) && mayBeSkipped(w, p.solidIndex[i]) ? sleeping : sleepSettled;
       if (p.sleep[i] == awake) continue;
       if (p.sleep[i] == sleepFixed) {
         const Vec3d v = p.velocity[i];

@@ -5,7 +5,7 @@
 //
 // A solid particle is at rest in a step if it is slower than sleep_speed. It must also accelerate by less
 // than sleep_speed / sleep_after, and warm by less than sleep_heating. Continuum::restTime is its rest time.
-// If everything in the 27 surrounding cells has a rest time of sleep_after, it falls asleep in three stages:
+// A particle sleeps in three stages once all particles in its 27 cells have rested for sleep_after:
 //   1  Its velocity is set to 0 (recorded as dissipated); position and temperature are fixed. Forces are
 // still computed and can wake it.
 //   2  Forces were computed with everything at its final position and velocity.

@@ -11,9 +11,9 @@
 namespace thaw {
 
 /// Returns bodies, ascending, with adjacent pieces, and the number of these. Pieces are sets of particles
-/// that no chain of links (surface.link_length) connects; adjacent ones are less than two spacings apart, so
-/// no layer of the lattice is missing between them. Requires: gathered particles without components. Ensures:
-/// they still have none. Collective.
+/// that no chain of links (surface.link_length) connects; adjacent ones are less than two spacings apart.
+/// Thus no layer of the lattice is missing between them. Requires: gathered particles without components.
+/// Ensures: they still have none. Collective.
 std::vector<BodyPieces> findStartPieces(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tools);
 
 }  // namespace thaw

@@ -24,7 +24,7 @@ bool isKnown(const Faces& known, const Face& f) {
 }
 
 /// Returns true if the projection of x onto the face lies on the surface. x is lifted out of the other faces
-/// first: below a floor, the projection onto a side wall is inside the wall.
+/// first. Below a floor, the projection onto a side wall is inside the wall.
 bool isSurface(const SignedDistance& shape, const Vec3d& x, const Faces& known, const Face& f,
                double spacing) {
   Vec3d lifted = x;

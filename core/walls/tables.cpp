@@ -68,7 +68,7 @@ double rawStress(const Numerics& n, double d) { return rawIntegrals(n, d).drag *
 
 /// Share of the wall's shear stress that acts on a layer at the distance d (h). The shares of layers one
 /// spacing apart add up to 1, wherever the first one lies. Otherwise liquid whose first layer is nearly a
-/// spacing away would slip. First layers nearer than `nearest` occur in impacts only: there the shares of the
+/// spacing away would slip. First layers nearer than `nearest` occur in impacts only. There the shares of the
 /// layers behind vary linearly, so that a layer that approaches from outside meets no jump.
 double shareOfStress(const Numerics& n, double d) {
   constexpr double nearest = 0.4;  // spacings

@@ -151,7 +151,7 @@ class FrictionSpring {
   Vec3d shear_{};
 };
 
-/// Velocity difference (m/s) between the force evaluation and the energy change: half a kick lies on either
+/// Velocity difference (m/s) between the force evaluation and the energy change. Half a kick lies on either
 /// side of now (at the start only after it). With drag the pressure solver records it, except for substeps.
 Vec3d halfKick(const WallContext& x, std::size_t i, bool substeps) {
   const Continuum& p = x.world.particles;

@@ -17,7 +17,7 @@ struct NormalBasis {
 constexpr double sameNormal = 0.02;
 
 /// Returns the basis for walls nearer than `reach` (m). In a wedge, normals that are not orthogonal must not
-/// be used one after the other: the second would undo part of what the first did.
+/// be used one after the other. The second would undo part of what the first did.
 NormalBasis normalBasis(std::span<const WallContact> contacts, double reach) {
   NormalBasis b;
   for (const WallContact& c : contacts) {

@@ -64,12 +64,12 @@ Advance advance(Run& r, StepLoop& loop) {
   if (good || w.clock.time >= w.clock.end) warnOfInterpenetration(r);
   if (r.edited) acceptEdit(r);
   else if (good) acceptSnapshot(r);
-  if (o.wanted.report) report(r);
-  if (o.wanted.stop) {
+  if (o.requests.report) report(r);
+  if (o.requests.stop) {
     loop.why = reason.empty() ? "a signal to another rank" : reason;
     return Advance::Stopped;
   }
-  if (o.wanted.checkpoint && atSnapshot(r)) writeCheckpointOf(r);
+  if (o.requests.checkpoint && atSnapshot(r)) writeCheckpointOf(r);
   if (w.clock.step % 25 == 0) {
     r.tools.times.start();
     balance(w, *r.tables.cells, r.tools, loop.meter);

@@ -65,7 +65,7 @@ std::string failedCheck(const World& w, const StepTools& t, const StepOutcome& o
       return fmt::format(
           "the time step, limited by {}, fell to {:.3g} s{}, below `numerics.watch_step` ({:.3g} s)",
           limitNames[static_cast<std::size_t>(o.limitedBy)], w.clock.dt,
-          w.monitor.halvings > 0 ? fmt::format(", halved {} times", w.monitor.halvings) : "", b.step);
+          w.monitor.backoff > 0 ? fmt::format(", halved {} times", w.monitor.backoff) : "", b.step);
     case Failure::Inverted:
       return fmt::format(
           "the fraction of inverted solid particles exceeds `numerics.watch_inverted` ({:.3g})", b.inverted);

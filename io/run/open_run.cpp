@@ -94,7 +94,7 @@ std::string relaxationEnd(const OrientedWork& o, int& code) {
 }
 
 /// Prints the last lines of a run.
-void sayEnd(Run& r, const std::string& why) {
+void reportEnd(Run& r, const std::string& why) {
   const std::size_t earlierWarnings = r.summary.warnings.size();
   r.say(fmt::format("{} at t {:.6g} s, step {}{}; {} with {} rank{}, {:.1f} s", r.summary.status,
                     r.world.clock.time, r.world.clock.step, why.empty() ? "" : " (" + why + ")",
@@ -160,7 +160,7 @@ int finishRun(Run& r, int code, std::string why) {
   }
   summarise(r, code == exitDone ? "done" : code == exitStopped ? "stopped" : "failed", why);
   // The caller prints the message of a failure.
-  sayEnd(r, code == exitDone || code == exitStopped ? why : "");
+  reportEnd(r, code == exitDone || code == exitStopped ? why : "");
   return code;
 }
 

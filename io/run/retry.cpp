@@ -63,7 +63,7 @@ std::string triedText(const Run& r, const MonitorState& monitor) {
   std::string text;
   if (monitor.failures > 0)
     text = fmt::format("; {} retries from step {} with steps down to 1/{} did not help", monitor.failures,
-                       monitor.snapshotStep, std::int64_t(1) << monitor.halvings);
+                       monitor.snapshotStep, std::int64_t(1) << monitor.backoff);
   if (monitor.failures < n.retries && retryTooShort(r.world.monitor, r.world.clock, r.tools.limits.monitor))
     text += fmt::format("; half the step would be below {:.3g} s (`numerics.watch_step`)",
                         r.tools.limits.monitor.step);
@@ -172,7 +172,7 @@ bool rollBack(Run& r, const StepOutcome& failed, std::string& why) {
       removeFramesAfterSnapshot(r);
       const std::string line = fmt::format(
           "failed at {}: {}; back to step {}, t {:.6g} s, with 1/{} of the step", when, what, w.clock.step,
-          w.clock.time, std::int64_t(1) << w.monitor.halvings);
+          w.clock.time, std::int64_t(1) << w.monitor.backoff);
       if (r.summary.warnings.size() < mostLines) r.warn(line);
       else r.say("warning: " + line);
       r.firstStep -= clock.step - w.clock.step;  // counts the steps that were done

@@ -173,7 +173,7 @@ std::string sleepingPiecesText(Run& r) {
   const Pieces& p = r.world.pieces;
   std::array<std::int64_t, 2> count{};
   for (std::size_t k = 0; k < p.owned; k++) {
-    count[0] += p.leads[k] && p.asleep[k];
+    count[0] += p.leads[k] && p.sleeping[k];
     count[1] += p.leads[k];
   }
   r.all.sum(count);
@@ -186,7 +186,7 @@ std::string sleepText(Run& r) {
   if (r.world.modules.rigidify) return rigidText(r);
   if (r.world.modules.pieceSleep) return sleepingPiecesText(r);
   if (!r.world.modules.sleep) return "";
-  std::array<std::int64_t, 2 + awakeReasons> counts{r.world.counters.asleep,
+  std::array<std::int64_t, 2 + awakeReasons> counts{r.world.counters.sleeping,
                                                     static_cast<std::int64_t>(r.world.particles.owned)};
   std::ranges::copy(countAwake(r.world.particles, r.world.scene), counts.begin() + 2);
   r.all.sum(counts);

@@ -10,7 +10,7 @@ namespace {
 
 volatile std::sig_atomic_t signalCaught = 0;  // the only type that a signal handler may write
 
-extern "C" void noteSignal(int number) {
+extern "C" void recordSignal(int number) {
   if (signalCaught == 0) signalCaught = number;
 }
 
@@ -19,7 +19,7 @@ extern "C" void noteSignal(int number) {
 void catchSignals() {
   struct sigaction action;
   std::memset(&action, 0, sizeof action);
-  action.sa_handler = noteSignal;
+  action.sa_handler = recordSignal;
   for (int s : {SIGTERM, SIGINT, SIGUSR1, SIGUSR2}) sigaction(s, &action, nullptr);
 }
 

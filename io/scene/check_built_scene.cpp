@@ -10,6 +10,7 @@
 #include "core/terms/extensions.hpp"
 #include "io/scene/read_scene.hpp"
 #include "io/scene/tables/read_sections.hpp"
+#include "io/scene/text/path_names.hpp"
 
 namespace thaw {
 namespace {
@@ -101,8 +102,9 @@ class BuiltSceneCheck {
 
   std::string lineOf(const SceneError& e) const {
     if (e.where.line > 0)
-      return fmt::format("{}:{}:{}: error: {}", e.where.file, e.where.line, e.where.column, e.text);
-    return fmt::format("{}: error: {}", name_, e.text);
+      return fmt::format("{}:{}:{}: error: {}", e.where.file, e.where.line, e.where.column,
+                         withPaths(e.text));
+    return fmt::format("{}: error: {}", name_, withPaths(e.text));
   }
 
   Scene scene_;

@@ -10,6 +10,7 @@
 
 #include "io/scene/resolve_scene.hpp"
 #include "io/scene/tables/read_sections.hpp"
+#include "io/scene/text/path_names.hpp"
 
 namespace thaw {
 namespace {
@@ -36,9 +37,9 @@ std::vector<std::string> linesOf(std::vector<SceneError> errors) {
   std::vector<std::string> lines;
   for (const SceneError& e : errors) {
     const bool placed = e.where.line > 0 && e.where.file.rfind("--set", 0) != 0;
-    const std::string line = oneLine(
-        placed ? fmt::format("{}:{}:{}: error: {}", e.where.file, e.where.line, e.where.column, e.text)
-               : fmt::format("{}: error: {}", e.where.file, e.text));
+    const std::string line = oneLine(placed ? fmt::format("{}:{}:{}: error: {}", e.where.file, e.where.line,
+                                                          e.where.column, withPaths(e.text))
+                                            : fmt::format("{}: error: {}", e.where.file, withPaths(e.text)));
     if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
   }
   return lines;

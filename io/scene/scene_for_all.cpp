@@ -7,6 +7,7 @@
 #include "io/hdf5/io_error.hpp"
 #include "io/meshes/read_mesh.hpp"
 #include "io/scene/read_scene.hpp"
+#include "io/scene/text/path_names.hpp"
 
 namespace thaw {
 
@@ -23,10 +24,10 @@ std::optional<Refusal> refusalOf(const std::exception& e) {
   if (const auto* shape = dynamic_cast<const ShapeError*>(&e); shape && shape->where.line > 0) {
     SceneProblems problem;
     problem.add(shape->where, e.what());
-    return Refusal{problem.lines().what(), exitUsage};
+    return Refusal{withPaths(problem.lines().what()), exitUsage};
   }
   if (dynamic_cast<const SceneErrors*>(&e) || dynamic_cast<const ShapeError*>(&e))
-    return Refusal{e.what(), exitUsage};
+    return Refusal{withPaths(e.what()), exitUsage};
   if (dynamic_cast<const IoError*>(&e)) return Refusal{std::string("error: ") + e.what(), exitInputOutput};
   return std::nullopt;
 }

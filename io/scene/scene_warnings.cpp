@@ -12,6 +12,7 @@
 #include "io/frames/frame_fields.hpp"
 #include "io/scene/surface_advice.hpp"
 #include "io/scene/text/nearest_word.hpp"
+#include "io/scene/text/path_names.hpp"
 
 namespace thaw {
 namespace {
@@ -194,7 +195,9 @@ void addUnbalancedBuoyancy(const Scene& s, std::vector<std::string>& lines) {
 
 }  // namespace
 
-std::string warningLine(const SourcePlace& where, const std::string& text) { return at(where) + ": " + text; }
+std::string warningLine(const SourcePlace& where, const std::string& text) {
+  return at(where) + ": " + withPaths(text);
+}
 
 std::string unusedEventLine(const OrientedBody& b, const OrientedEvent& e) {
   const char* what = e.kind == OrientedEventKind::Weld

@@ -22,7 +22,7 @@ MarchedBand marchBand(const BandGrid& grid, const BandHeights& heights, const Pl
                       const Vec3f& deep, bool projectedLater);
 
 /// Removes spurious closed shells next to a larger one. One test is a volume below two cubes, since nearest
-/// surfels may disagree at sharp edges. The other is less than half of the area on discs: for bubbles and
+/// surfels may disagree at sharp edges. The other is less than half of the area on discs. For bubbles and
 /// fragments in narrow creases it is about a tenth, for real surfaces nearly all.
 void removeFragments(MarchedBand& band, const PlaneField& planes, double spacing);
 

@@ -168,7 +168,7 @@ started described
 # ineffective or implausible settings of oriented bodies and sheets: a warning
 plate="[[oriented]]
 patch = { width = 0.4, depth = 0.4 }"
-warns "a cut beside the body" "cut.toml:8:1: oriented body 'oriented 0': this cut has no effect" cut "$plate
+warns "a cut beside the body" "cut.toml:8:1: oriented.0: this cut has no effect" cut "$plate
 [[oriented.event]]
 kind = 'cut'
 plane = { point = [0.3, 0, 0], normal = [1, 0, 0] }"
@@ -186,36 +186,36 @@ patch = { width = 0.1, depth = 0.1 }
 place = { move = [0, 0, 0.4] }"
 cloth="[[sheet]]
 grid = { width = 0.4, depth = 0.4 }"
-warns "a sheet that is clamped" "clamped.toml:6:1: sheet 'sheet 0': all of its [0-9]+ vertices are clamped" \
+warns "a sheet that is clamped" "clamped.toml:6:1: sheet.0: all of its [0-9]+ vertices are clamped" \
   clamped "$cloth
 [[sheet.clamp]]
 sphere = { radius = 0.6 }"
 warns "a thick sheet" \
-  "thick.toml:6:1: sheet 'sheet 0': its thickness, 0.2 m, is more than three times its vertex spacing, \
+  "thick.toml:6:1: sheet.0: its thickness, 0.2 m, is more than three times its vertex spacing, \
 0.056" thick "$cloth
 thickness = 0.2"
 warns "a sheet in an obstacle" \
-  "wall.toml:6:1: sheet 'sheet 0': [0-9]+ of its 81 vertices start deeper than half of its thickness in \
-contact with obstacle 'ball'" wall "$cloth
+  "wall.toml:6:1: sheet.0: [0-9]+ of its 81 vertices overlap obstacle 'ball' by more than half of \
+their thickness" wall "$cloth
 [[obstacle]]
 name = 'ball'
 sphere = { radius = 0.05 }"
 warns "a sheet that touches a floor" \
-  "floor.toml:6:1: sheet 'sheet 0': 81 of its 81 vertices start within its contact distance, 0.04 m, \
+  "floor.toml:6:1: sheet.0: 81 of its 81 vertices start within its contact distance, 0.04 m, \
 of obstacle 'floor': contact will push them apart" floor "$cloth
 thickness = 0.04
 [[obstacle]]
 name = 'floor'
 plane = { point = [0, 0, -0.03], normal = [0, 0, 1] }"
 warns "a sheet that touches another" \
-  "near.toml:9:1: sheet 'sheet 1': [0-9]+ of its 81 vertices start within its contact distance, 0.04 m, \
-of sheet 'sheet 0': contact will push them apart" near "$cloth
+  "near.toml:9:1: sheet.1: [0-9]+ of its 81 vertices start within its contact distance, 0.04 m, \
+of sheet.0: contact will push them apart" near "$cloth
 thickness = 0.04
 $cloth
 thickness = 0.04
 place = { move = [0.02, 0.02, 0.03] }"
 warns "a sheet that touches a body" \
-  "lies.toml:6:1: sheet 'sheet 0': [0-9]+ particles start within its contact distance, [0-9.]+ m, \
+  "lies.toml:6:1: sheet.0: [0-9]+ particles start within its contact distance, [0-9.]+ m, \
 of body 'cube': contact will push them apart" lies "$cloth
 [material.jelly]
 young = '20 kPa'
@@ -225,8 +225,8 @@ material = 'jelly'
 box = { size = [0.1, 0.1, 0.1] }
 place = { move = [0, 0, -0.06] }"
 warns "a sheet that touches a surface" \
-  "rests.toml:8:1: sheet 'sheet 0': [0-9]+ of its 81 vertices start within its contact distance, [0-9.]+ m, \
-of oriented body 'oriented 0': contact will push them apart" rests "$plate
+  "rests.toml:8:1: sheet.0: [0-9]+ of its 81 vertices start within its contact distance, [0-9.]+ m, \
+of oriented.0: contact will push them apart" rests "$plate
 $cloth
 place = { move = [0, 0, 0.035] }"
 lump="$cloth
@@ -239,55 +239,55 @@ name = 'lump'
 material = 'jelly'
 box = { size = [0.1, 0.1, 0.1] }"
 rejects "a sheet in a body" \
-  "body.toml:6:1: error: sheet 'sheet 0': [0-9]+ of its 81 vertices start inside body 'lump', \
+  "body.toml:6:1: error: sheet.0: [0-9]+ of its 81 vertices start inside body 'lump', \
 where they would stay trapped; move them apart, or set .numerics.overlap" \
   2 check "$(bodyTypes body <<<"$lump")"
 warns "a sheet in a body that is to be" \
-  "kept.toml:6:1: sheet 'sheet 0': [0-9]+ of its 81 vertices start inside body 'lump', \
-where they stay trapped" kept "$lump
+  "kept.toml:6:1: sheet.0: [0-9]+ of its 81 vertices start inside body 'lump'; \
+contact traps them there: move the bodies apart" kept "$lump
 [numerics]
 overlap = 'keep'"
 warns "a sheet in a liquid" \
-  "bath.toml:6:1: sheet 'sheet 0': [0-9]+ of its 81 vertices start inside body 'lump'; \
-contact will push its liquid away" bath "$lump
+  "bath.toml:6:1: sheet.0: [0-9]+ of its 81 vertices start inside body 'lump'; \
+contact will push the liquid of body 'lump' away" bath "$lump
 temperature = 400"
 warns "a sheet in another" \
-  "sheets.toml:8:1: sheet 'sheet 1': 81 of its 81 vertices start nearer to sheet 'sheet 0' than 0.6 of the \
+  "sheets.toml:8:1: sheet.1: 81 of its 81 vertices start nearer to sheet.0 than 0.6 of the \
 contact distance" sheets "$cloth
 $cloth
 place = { move = [0.01, 0, 0.005] }"
 warns "a sheet in a surface" \
-  "film.toml:8:1: sheet 'sheet 0': [0-9]+ of its 81 vertices start nearer to oriented body 'oriented 0' \
+  "film.toml:8:1: sheet.0: [0-9]+ of its 81 vertices start nearer to oriented.0 \
 than" film "$plate
 $cloth
 place = { rotate_x = 0.3 }"
 warns "a surface in another" \
-  "films.toml:8:1: oriented body 'oriented 1': [0-9]+ of its [0-9]+ particles start nearer to oriented body \
-'oriented 0' than" films "$plate
+  "films.toml:8:1: oriented.1: [0-9]+ of its [0-9]+ particles start nearer to oriented.0 \
+than" films "$plate
 $plate
 place = { move = [0, 0, 0.012] }"
 rejects "a sheet's mesh that is missing" \
-  "lost.toml:6:1: error: sheet 'sheet 0': .*nowhere.obj: no such file" \
+  "lost.toml:6:1: error: sheet.0: .*nowhere.obj: no such file" \
   2 check "$(bodyTypes lost <<<"[[sheet]]
 mesh = 'nowhere.obj'")"
 rejects "an oriented body's mesh that is missing" \
-  "lost2.toml:7:8: error: oriented body 'oriented 0': .*nowhere.obj: no such file" \
+  "lost2.toml:7:8: error: oriented.0: .*nowhere.obj: no such file" \
   2 check "$(bodyTypes lost2 <<<"[[oriented]]
 mesh = 'nowhere.obj'")"
 rejects "a constraint's mesh that is missing" \
-  "lost3.toml:9:8: error: oriented body 'oriented 0': a constraint: .*nowhere.obj: no such file" \
+  "lost3.toml:9:8: error: oriented.0: a constraint: .*nowhere.obj: no such file" \
   2 check "$(bodyTypes lost3 <<<"$plate
 [[oriented.constraint]]
 mesh = 'nowhere.obj'")"
 rejects "a clamp's mesh that is missing" \
-  "lost4.toml:9:8: error: sheet 'sheet 0': a clamp: .*nowhere.obj: no such file" \
+  "lost4.toml:9:8: error: sheet.0: a clamp: .*nowhere.obj: no such file" \
   2 run "$(bodyTypes lost4 <<<"$cloth
 [[sheet.clamp]]
 mesh = 'nowhere.obj'")"
 rejects "the mesh of a body's clamp" "lost5.toml:[0-9]+:8: error: .*nowhere.obj" \
   2 check "$(scene lost5 '/^place/a [[body.clamp]]\nmesh = "nowhere.obj"')"
 rejects "more particles than most" \
-  "most.toml:6:1: error: oriented body 'oriented 0': it starts with [0-9]+ particles and .most. is 20; \
+  "most.toml:6:1: error: oriented.0: it starts with [0-9]+ particles and .most. is 20; \
 expected .most. to be at least the initial number" 2 check "$(bodyTypes most <<<"$plate
 growth = 'gaps'
 most = 20")"

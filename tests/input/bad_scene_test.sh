@@ -121,10 +121,10 @@ rejects "table that descends" 'density: .*ascend' 2 check "$good" --set material
   --set 'material.jelly.density=[[300, 990], [280, 1000]]'
 rejects "reference of nothing" 'expansion_from: applies only to a liquid with .expansion. or a table' \
   2 check "$good" --set material.jelly.expansion_from=300
-rejects "buoyancy of nothing" '"boussinesq". needs gravity, and a body or emitter of a material with exp' \
+rejects "buoyancy of nothing" 'needs a body or emitter of a material with .expansion. or a table' \
   2 check "$good" --set "$boussinesq"
-rejects "buoyancy without gravity" '"boussinesq". needs gravity' 2 check "$liquid" --set "$boussinesq" \
-  --set 'domain.gravity=[0, 0, 0]'
+rejects "buoyancy without gravity" 'needs gravity: set .domain.gravity' 2 check "$liquid" \
+  --set "$boussinesq" --set 'domain.gravity=[0, 0, 0]'
 oil='[material.oil]\ndensity = 900\n[[body]]\nname = "b"\nbox = {}\nmaterial = "oil"'
 rejects "buoyancy of two densities" \
   "leaves out the weight, so all materials need one density: 'oil' has 900 kg/m\^3, 'jelly' 1000 kg/m" \

@@ -136,7 +136,14 @@ printf '\n<<<<<<%s HEAD\n' '<' >>"$dir/tree/scripts/long.sh"
   >>"$dir/tree/docs/page.md"
 { printf 'void steps() {\n'; printf '  step();\n%.0s' {1..70}; printf '}\n'; } >"$dir/tree/core/heat/long.cpp"
 for i in {1..31}; do printf '#pragma once\n' >"$dir/tree/core/math/file_$i.hpp"; done
+printf 'notes\n' >"$dir/tree/notes.txt"
+mkdir "$dir/tree/drafts"
+printf 'draft\n' >"$dir/tree/drafts/draft.txt"
+for _ in {1..4000}; do printf 'It is a short sentence. '; done >"$dir/tree/docs/wordy.md"
 lint
+finds 'a file at the top level' '^notes.txt:1: notes.txt does not belong to the top level'
+finds 'a folder at the top level' '^drafts/draft.txt:1: drafts does not belong to the top level'
+finds 'a manual of many words' '^docs:1: the manual has 200[0-9][0-9] words, at most 20000'
 finds 'a listed include that is gone' '^scripts/lint_known_includes.txt:1: .*occurs 0 times'
 finds 'a long line' '^scripts/long.sh:1: 11[0-9] columns, at most 110'
 finds 'a marker of a merge' '^scripts/long.sh:3: a marker of a merge'

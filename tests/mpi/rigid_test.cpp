@@ -80,7 +80,7 @@ Scene barOnRidge() {
 TEST(Rigid, BreakingAndSleepHaveTheSameBitsOnAnyNumberOfRanks) {
   const auto run = [](MPI_Comm group) {
     bool slept = false;
-    const auto look = [&](const World& w) { slept = slept || w.counters.asleep > 0; };
+    const auto look = [&](const World& w) { slept = slept || w.counters.sleeping > 0; };
     const StateHash hash = runRebalanced(group, barOnRidge(), 45, look, [&](const World& w, Reducer& all) {
       StateHash sum = hashOf(w, all);
       double any = slept ? 1 : 0;

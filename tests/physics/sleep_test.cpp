@@ -43,7 +43,7 @@ TEST(Sleep, BlocksAtRestSleepAndKeepTheirPosition) {
   s.numerics.sleepAfter = 0.02;
   test::Simulation x(s);
   ASSERT_TRUE(x.run());
-  EXPECT_EQ(x.w.counters.asleep, static_cast<std::int64_t>(x.particles().owned));
+  EXPECT_EQ(x.w.counters.sleeping, static_cast<std::int64_t>(x.particles().owned));
   for (std::size_t i = 0; i < x.particles().owned; i++) {
     const std::size_t k = i;  // the same cells and ids while both are at rest
     if (awakeOnes.particles().id[k] != x.particles().id[i]) continue;

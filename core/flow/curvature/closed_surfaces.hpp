@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forces on closed surfaces. A free drop, or a bubble, bears no net force of its own tension: the integral of
+// Forces on closed surfaces. A free drop, or a bubble, bears no net force of its own tension. The integral of
 // -gamma kappa n + grad_s gamma over a closed surface is 0. Errors of the curvature leave a sum, which is
 // subtracted in proportion to the areas of the particles, so momentum is conserved.
 #pragma once

@@ -29,7 +29,7 @@ std::vector<Vec3d> forcesByCurvature(const WallView& w, const std::vector<FreeSu
 }
 
 /// Removes the part of a force (N) that lifts a particle off a close wall. The wall bears the component of
-/// the tension normal to it at the edge of the liquid, so the edge does not pull a drop off its wall.
+/// the tension normal to it at the edge of the liquid. The edge thus does not pull a drop off its wall.
 Vec3d borneByWalls(const CurvatureContext& x, std::uint32_t i, Vec3d force) {
   for (const WallContact& c : contactsOf(x.contacts, i))
     force -= c.normal * (shareOfWall(x, c) * std::max(dot(force, c.normal), 0.0));

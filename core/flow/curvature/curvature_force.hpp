@@ -3,7 +3,7 @@
 //   F_i = f_i A_i (-gamma_i kappa_i n_i + grad_s gamma_i)
 // with liquid fraction f, area A of the surface element, curvature kappa and outward normal n.
 //
-// Unlike the surface energy it has no potential and no pair form, so its work counts as that of a force from
+// Unlike the surface energy it has no potential and no pair form. Its work counts as that of a force from
 // outside, and its net impulse is recorded, too.
 #pragma once
 #include "core/flow/curvature/surface_curvature.hpp"

@@ -21,7 +21,7 @@ namespace {
 /// Disorder inside the liquid gives up to 0.3.
 constexpr double insideGradient = 0.35, surfaceGradientFrom = 0.6;
 
-/// Distances from a wall in spacings: up to the first, the normal is that of the contact angle; from the
+/// Distances from a wall in spacings. Up to the first, the normal is that of the contact angle; from the
 /// second, that of the colour gradient.
 constexpr double wallNormalUpTo = 0.5, ownNormalFrom = 1.5;
 

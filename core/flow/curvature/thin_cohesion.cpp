@@ -18,7 +18,7 @@ namespace {
 constexpr double repulsiveBelow = 0.4, moment = 1.0 / 252 - repulsiveBelow / 168;
 double cohesionAt(double q) { return q * (1 - q) * (1 - q) * (q - repulsiveBelow); }
 
-/// Returns the tension of a film over that of one between two gases: on a wall, one face is covered, which
+/// Returns the tension of a film over that of one between two gases. On a wall, one face is covered, which
 /// leaves gamma (1 - cos(theta)) of 2 gamma. It acts between particles that are both on a wall. Liquid above
 /// them is held by its full cohesion, and spreads on them as on liquid.
 double uncovered(const CurvatureContext& x, std::uint32_t row) {

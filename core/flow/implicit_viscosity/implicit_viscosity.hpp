@@ -8,7 +8,7 @@
 // matrix is symmetric positive definite for any step and viscosity contrast. F_visc is a sum of pair forces,
 // equal and opposite along the line between two particles. Momentum and angular momentum are thus conserved
 // to rounding after any number of iterations. The steady state equals that of the explicit step. The energy
-// budget records the loss of the whole kick in the step of the force evaluation, as for explicit forces; it
+// budget records the loss of the whole kick in the step of the force evaluation, as for explicit forces. It
 // leads by half a kick. The lead grows with the step but does not accumulate.
 //
 // Differences to the paper: the pair sum is that of the explicit form (no dimension factor or artificial

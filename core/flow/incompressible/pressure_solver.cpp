@@ -11,7 +11,7 @@ namespace thaw {
 namespace {
 
 /// Goal of a solve: no predicted compression e = (relative density - target) + dt d(relative density)/dt.
-/// Only a fraction of an existing compression is corrected per step: a full correction would eject the
+/// Only a fraction of an existing compression is corrected per step. A full correction would eject the
 /// surface of a deep liquid at error * depth / dt. The tolerance scales with the fraction.
 struct Goal {
   double dt;         ///< s

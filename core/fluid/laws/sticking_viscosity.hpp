@@ -6,7 +6,7 @@
 namespace thaw {
 
 /// Returns the viscosity (Pa s) with which a particle of the liquid fraction f enters harmonic means. A solid
-/// does not shear, so its viscosity is practically infinite: the mean is twice that of the liquid, which
+/// does not shear, so its viscosity is practically infinite. The mean is twice that of the liquid, which
 /// sticks to the surface half-way between both. In a particle that melts, the front is deeper, on average in
 /// the middle, where the mean with its own viscosity holds: at a liquid fraction of 0.05 the factor has
 /// fallen to 1.

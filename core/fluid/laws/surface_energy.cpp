@@ -38,11 +38,11 @@ constexpr double sparseFraction = 0.8;
 
 /// Dependence of the energy on d, with derivatives: factor of the squared gradient, and term of sparse
 /// particles.
-struct ByFilling {
+struct AtRelativeDensity {
   double area = 0, areaSlope = 0, alone = 0, aloneSlope = 0;
 };
 
-ByFilling byFilling(const SurfaceMeasure& m, double fill) {
+AtRelativeDensity atRelativeDensity(const SurfaceMeasure& m, double fill) {
   const double least = std::max(fill, m.sparse), power = 1 / (least * least);
   if (fill >= m.sparse) return {power, -2 * power / fill, 0, 0};
   const double width = m.sparse - m.least, t = (fill - m.least) / width;  // 0 for a single particle, 1 where
@@ -100,7 +100,7 @@ SurfaceMeasure surfaceMeasure(const Numerics& numerics, double spacing) {
 
 SurfaceState surfaceState(const SurfaceMeasure& m, double tension, const Vec3d& gradient, double colour) {
   const double fill = (colour + m.self) / (m.full + m.self), square = dot(gradient, gradient);
-  const ByFilling by = byFilling(m, fill);
+  const AtRelativeDensity by = atRelativeDensity(m, fill);
   const ColourDeficit open = colourDeficitTerm(std::max(0.0, 1 - colour / m.full));
   const double byArea = tension * m.area / m.support, byCover = tension * m.thin / m.spacing,
                byAlone = tension * m.alone / m.spacing;

@@ -7,8 +7,8 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Artificial viscosity (M92) of approaching pairs; record: alpha c h rho / 10. Arithmetic mean between
-/// liquids with tension, as the damping of a free surface acts on pairs across it
+/// Artificial viscosity (M92) of approaching pairs; record: alpha c h rho / 10. Between liquids
+/// with tension the mean is arithmetic, since free-surface damping acts on pairs across the interface
 /// (LiquidMaterial::surfaceDamping).
 template<class Real, class Kernel> struct Artificial {
   using L = Lanes<Real>;

@@ -36,14 +36,14 @@ struct Oriented : BodyTypeRows {
   Column<std::uint16_t> constraint{*this, "constraint", "1", Keep::State,
       "index of its constraint in its body"};
   Column<Vec3d> restPosition{*this, "restPosition", "m", Keep::State,
-      "initial position of anchored particles"};
+      "initial position of constrained particles"};
   Column<Quat> restOrientation{*this, "restOrientation", "1", Keep::State,
-      "initial orientation of anchored particles"};
+      "initial orientation of constrained particles"};
   Column<Vec3d> normal{*this, "normal", "1", Keep::Transient, "e_z rotated by the orientation"};
   Column<double> stiffness{*this, "stiffness", "1/s^2", Keep::Transient,
       "bound of its squared angular frequency"};
   Column<Vec3d> candidate{*this, "candidate", "m", Keep::Transient, "displacement to the candidate particle"};
-  Column<std::uint64_t> candidateRank{*this, "candidateRank", "1", Keep::Transient,
+  Column<std::uint64_t> candidatePriority{*this, "candidatePriority", "1", Keep::Transient,
       "priority of the candidate: 0 none, else the smallest wins"};
   // columns of the implicit solver
   Column<Vec3d> search{*this, "search", "m/s", Keep::Transient, "velocities to multiply by the stiffness"};

@@ -49,7 +49,7 @@ void addContinuumContact(const OrientedView& w, double dt) {
   Pairs::PairContact m;
   const Touch& c = m.touch;
   w.work.fastest2 = 0;
-  const auto noteStiffest = [&](const auto& rows) {
+  const auto findStiffest = [&](const auto& rows) {
     for (std::size_t i = 0; i < rows.owned; i++)
       w.work.fastest2 = std::max(w.work.fastest2, 2 * stiff[i] / rows.mass[i]);
   };
@@ -61,7 +61,7 @@ void addContinuumContact(const OrientedView& w, double dt) {
     p.dissipation[i] -= dot(c.dissipativeForce, p.velocity[i] + p.acceleration[i] * (0.5 * dt));
     stiff[i] += c.slope;
   });
-  noteStiffest(p);
+  findStiffest(p);
   std::fill(stiff.begin(), stiff.end(), 0.0);
   std::vector<std::uint8_t> out(o.owned, 1);
   eachNear(w.oriented.cells, o.owned, w.cells, [&](std::size_t j, std::size_t i) {
@@ -81,7 +81,7 @@ void addContinuumContact(const OrientedView& w, double dt) {
   });
   for (std::size_t j = 0; j < o.owned; j++)
     if (out[j]) o.flags[j] = static_cast<std::uint8_t>(o.flags[j] & ~emerging);
-  noteStiffest(o);  // the force is constant over a step, so explicit limits apply to all integrators
+  findStiffest(o);  // the force is constant over a step, so explicit limits apply to all integrators
 }
 
 }  // namespace thaw

@@ -51,14 +51,14 @@ FieldForce fieldForce(const OrientedView& w, std::size_t i) {
   const OrientedWork& work = w.work;
   const std::size_t b = o.body[i];
   const OrientedBody& body = w.scene.oriented[b];
-  Vec3d push = body.acceleration;
+  Vec3d acceleration = body.acceleration;
   double pressure = body.pressure, slope = 0;
   for (std::size_t k = 0; k < body.fields.size(); k++) {
     const OrientedField& f = body.fields[k];
     const double factor = factorNow(w, f);
     if (factor == 0) continue;
     if (const auto& region = work.fieldRegions[b][k]; region && !region->inside(o.position[i])) continue;
-    push += factor * f.acceleration;
+    acceleration += factor * f.acceleration;
     pressure += factor * f.pressure;
     if (f.attraction == 0) continue;
     const Vec3d d = f.point - o.position[i];
@@ -66,10 +66,11 @@ FieldForce fieldForce(const OrientedView& w, std::size_t i) {
     const double left = 1 - dot(d, d) / (f.radius * f.radius),
                  steepest = factor * f.attraction / (0.28621670111997308 * f.radius);
     if (!(left > 0)) continue;
-    push += (steepest * left * left) * d;
+    acceleration += (steepest * left * left) * d;
     slope += 2 * std::abs(steepest);
   }
-  Vec3d force = o.mass[i] * push + (pressure * orientedArea(body, work.potentials[b].spacing)) * o.normal[i];
+  Vec3d force = o.mass[i] * acceleration +
+                (pressure * orientedArea(body, work.potentials[b].spacing)) * o.normal[i];
   if (body.planar) force.y = 0;
   return {force, slope};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// External forces on oriented particles besides gravity: push and pressure of the body, and its fields
-// (OrientedField).
+// External forces on oriented particles besides gravity: acceleration and pressure of the body, and its
+// fields (OrientedField).
 #pragma once
 #include "core/halo/halo.hpp"
 #include "core/oriented/data/oriented_view.hpp"

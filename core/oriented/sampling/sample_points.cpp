@@ -127,7 +127,7 @@ SampledPoints curve(const OrientedBody& b, double spacing) {
   return m;
 }
 
-void noteRepairs(const Shape& shape, const MeshReport& report, SampledPoints& m) {
+void addRepairs(const Shape& shape, const MeshReport& report, SampledPoints& m) {
   if (std::string text = describeRepairs(shape.mesh, report); !text.empty())
     m.notes.push_back(std::move(text));
 }
@@ -146,7 +146,7 @@ SampledPoints sampleBodyShape(const Shape& shape, double spacing, std::uint64_t 
                               const MeshLoader& load) {
   if (const std::optional<PlacedMesh> open = openMesh(shape, load)) {
     SampledPoints m = sampleOpenMesh(open->mesh, spacing, seed);
-    noteRepairs(shape, open->report, m);
+    addRepairs(shape, open->report, m);
     return m;
   }
   const std::shared_ptr<const SignedDistance> solid = makeSignedDistance(shape, load);
@@ -171,7 +171,7 @@ SampledPoints sampleMesh(const Shape& shape, double spacing, std::uint64_t seed,
   const PlacedMesh placed = makePlacedSurface(shape, load);
   const MeshNormals normals(placed.mesh);
   SampledPoints m;
-  noteRepairs(shape, placed.report, m);
+  addRepairs(shape, placed.report, m);
   for (const MeshSample& s : blueNoise(placed.mesh, spacing, seed))
     addPoint(m, s.position, normals.at(s.position, s.triangle));
   return m;

@@ -77,7 +77,7 @@ std::vector<std::uint32_t> findHit(const RigidView& v, std::span<const double> s
   std::vector<std::uint32_t> hit;
   for (std::uint32_t k = 0; k < p.owned; k++) {
     const bool known = p.contactLoad[k] >= 0;
-    if (!known || p.fixed[k] || p.asleep[k] || p.count[k] < leastToBreak) continue;
+    if (!known || p.fixed[k] || p.sleeping[k] || p.count[k] < leastToBreak) continue;
     if (!(sizes[k] > impactFactor * dt * std::max(p.contactLoad[k], p.mass[k] * g))) continue;
     // The largest stress is that of a bar of one particle, bent by the whole force over its length.
     const double size = lengthOf(p, k), force = sizes[k] / (weakest.perLength * size),

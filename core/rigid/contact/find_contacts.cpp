@@ -26,7 +26,9 @@ constexpr double flushOverlap = 0.15;  // spacings, largest overlap of aligned e
 constexpr double onePoint = 0.5;   // spacings; crossings of edges that are nearer to each other are the same
 constexpr double lookAhead = 1.5;  // steps; motions change within the step
 
-bool isAsleep(const ContactSearch& s, std::size_t i) { return s.pieces.asleep[s.particles.pieceRow[i]] != 0; }
+bool isAsleep(const ContactSearch& s, std::size_t i) {
+  return s.pieces.sleeping[s.particles.pieceRow[i]] != 0;
+}
 
 bool mayClose(const ContactSearch& s, std::span<const PieceMotion> motion, const RigidContact& c) {
   const double approach = -dot(relativeVelocity(c, motion), c.normal);
@@ -42,7 +44,7 @@ struct SurfaceParticle {
   std::uint64_t piece;
   std::uint32_t row;
   std::uint8_t bend;  ///< result of bend()
-  bool asleep;
+  bool sleeping;
 };
 
 /// Surface particles of each cell.
@@ -380,7 +382,7 @@ bool anyAround(const Search& s, const SurfaceParticle& a, const SurfaceCells& t,
   for (const RowSpan& r : ranges)
     for (std::uint32_t m = r.begin; m < r.end; m++) {
       const SurfaceParticle& b = t.rows[m];
-      if (b.piece == a.piece || (a.asleep && b.asleep)) continue;
+      if (b.piece == a.piece || (a.sleeping && b.sleeping)) continue;
       const Vec3d to = b.element.position - a.element.position;
       const double near = reach + b.element.offset;
       if (dot(to, to) < near * near && use(b)) return true;
@@ -554,7 +556,7 @@ void keepImpulses(std::span<const FoundContact> contacts, const Pieces& pieces, 
     if (p.rollingImpulse.active) p.rollingImpulse[i] = {};
   };
   for (std::size_t i = 0; i < p.owned; i++)
-    if (p.piece[i] == notRigid || !pieces.asleep[p.pieceRow[i]]) forget(i);
+    if (p.piece[i] == notRigid || !pieces.sleeping[p.pieceRow[i]]) forget(i);
   for (const FoundContact& f : contacts) forget(f.particle);
   for (const FoundContact& f : contacts) {
     const Vec3d &now = f.contact.impulse, &before = p.contactImpulse[f.particle];

@@ -54,7 +54,7 @@ SurfaceElement elementOfShape(const SignedDistance& shape, const Vec3d& x, doubl
 }
 
 SurfaceElement elementOfNeighbours(std::span<const Vec3d> neighbours, double spacing) {
-  int nearest = 0;  // how many of the six next ones of a cubic lattice there are
+  int nearest = 0;  // present neighbours of a cubic lattice, of six
   Vec3d missing;    // away from the neighbours
   for (const Vec3d& e : neighbours) {
     const double r = length(e);

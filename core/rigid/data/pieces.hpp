@@ -46,7 +46,7 @@ struct Pieces : Table {
       "summed size of its contact impulses over the step, or half of the last value if that is larger"};
   Column<double> restTime{*this, "restTime", "s", Keep::State,
       "time since it last moved or had a load besides weight and contacts; only if pieces sleep"};
-  Column<std::uint8_t> asleep{*this, "asleep", "1", Keep::State,
+  Column<std::uint8_t> sleeping{*this, "sleeping", "1", Keep::State,
       "1: fixed in place, and without contacts with other sleeping pieces and obstacles at rest"};
   Column<std::uint64_t> count{*this, "count", "1", Keep::State, "number of its particles on all ranks"};
   Column<std::uint8_t> fixed{*this, "fixed", "1", Keep::State, "1: some of its particles are clamped"};

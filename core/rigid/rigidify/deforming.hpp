@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parts of elastic solids that deform. A solid particle deforms if its rate of strain exceeds
-// numerics.rigidify, or if the load on it changes. It also does near an obstacle or another body, and where
-// it is softening or clamped. Continuum::restTime is the time since then. Particles with a rest time of
+// numerics.rigidify, or if the load on it changes. Particles near obstacles
+// or other bodies, and softening or clamped ones, also count as deforming. Continuum::restTime is the time
+// since then. Particles with a rest time of
 // numerics.sleep_after become parts of rigid pieces, until they deform.
 #pragma once
 #include "core/rigid/rigidify/rigidify_view.hpp"

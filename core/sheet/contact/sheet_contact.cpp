@@ -77,22 +77,22 @@ void addVertexForces(SheetBodies& b, const Scene& scene) {
     Vec3d force{};
     double energy = 0;
     const double beyond = -depth, reach = std::max(x.attractionRange, y.attractionRange);
-    if (const PairSpring push = pairSpring(b, scene, SheetFactor::Repulsion, i, j);
-        push.later > 0 && depth > 0) {
+    if (const PairSpring repulsion = pairSpring(b, scene, SheetFactor::Repulsion, i, j);
+        repulsion.later > 0 && depth > 0) {
       const double unit = 0.5 * depth * depth;
-      force += n * (push.stiffness * depth);
-      energy += push.stiffness * unit;
-      slope[i] += push.later;
-      if (s.changing.active) factorEnergyOf(s, i, SheetFactor::Repulsion) += push.own * unit;
+      force += n * (repulsion.stiffness * depth);
+      energy += repulsion.stiffness * unit;
+      slope[i] += repulsion.later;
+      if (s.changing.active) factorEnergyOf(s, i, SheetFactor::Repulsion) += repulsion.own * unit;
     }
-    if (const PairSpring pull = pairSpring(b, scene, SheetFactor::Attraction, i, j);
-        pull.later > 0 && beyond < reach) {
+    if (const PairSpring attraction = pairSpring(b, scene, SheetFactor::Attraction, i, j);
+        attraction.later > 0 && beyond < reach) {
       const double u = std::max(beyond, 0.0) / reach,
                    unit = reach * reach * (u * u * (0.5 - u * (2.0 / 3) + 0.25 * u * u) - 1.0 / 12);
-      force -= n * (pull.stiffness * reach * u * (1 - u) * (1 - u));
-      energy += pull.stiffness * unit;
-      slope[i] += pull.later;
-      if (s.changing.active) factorEnergyOf(s, i, SheetFactor::Attraction) += pull.own * unit;
+      force -= n * (attraction.stiffness * reach * u * (1 - u) * (1 - u));
+      energy += attraction.stiffness * unit;
+      slope[i] += attraction.later;
+      if (s.changing.active) factorEnergyOf(s, i, SheetFactor::Attraction) += attraction.own * unit;
     }
     s.load[i] += force / s.area[i];
     s.energy[i] += 0.5 * energy;

@@ -7,8 +7,8 @@
 #include "core/geometry/basic/signed_distance.hpp"
 #include "core/scene/scene.hpp"
 #include "core/sheet/data/exact_step.hpp"
+#include "core/sheet/data/shrink_wrap_target.hpp"
 #include "core/sheet/data/topology.hpp"
-#include "core/sheet/data/wrap_target.hpp"
 
 namespace thaw {
 
@@ -70,7 +70,7 @@ struct SheetPlan {
   double faceArea = 0;   ///< m^2, mean area of a vertex; times SheetLaw::contactMass the mass for stiffness
   std::vector<std::uint32_t> faceFirst, faceOf;  ///< triangles whose first corner is vertex v:
                                                  ///< faceOf[faceFirst[v]] ..
-  WrapTarget wrapTarget;
+  ShrinkWrapTarget shrinkWrapTarget;
   bool edgeForces = false;  ///< springs along edges or across them
   bool normals = false;     ///< some force needs normals
   bool touches = false;     ///< the scene has something that it can touch

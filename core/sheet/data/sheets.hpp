@@ -28,7 +28,7 @@ struct Sheets : BodyTypeRows {
   Column<Vec3d> load{*this, "load", "N/m^2", Keep::State,
       "force per area of the last evaluation, without rest spring and damping"};
   Column<Vec3d> outside{*this, "outside", "N/m^2", Keep::State,
-      "external part of the load: wind, wrap, pressureBrushes; only where a sheet has one"};
+      "external part of the load: wind, shrink-wrap, pressure brushes; only where a sheet has one"};
   Column<Mat3d> changing{*this, "changing", "J", Keep::State,
       "energy of time-dependent coefficients at a factor of 1: warp, weft, shear; bending, volume, "
       "repulsion; attraction; only where one changes"};

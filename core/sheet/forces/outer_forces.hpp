@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// External forces on a sheet: weight, wind, wrap, brushes, obstacles (DS section 3.1); and the ledger
-// entries of constraints.
+// External forces on a sheet: weight, wind, shrink-wrap, pressure brushes, obstacles (DS section 3.1); and
+// the ledger entries of constraints.
 #pragma once
 #include "core/sheet/data/sheet_view.hpp"
 
@@ -16,8 +16,8 @@ struct SheetVelocities {
 /// Sets Sheets::load to the weight, and energy, outside and heatFlow to 0.
 void clearLoads(SheetBodies& sheets, const Scene& scene);
 
-/// Adds wind, wrap, brushes and obstacle contact: spring, dashpot and Coulomb friction within the
-/// thickness of a surface.
+/// Adds wind, shrink-wrap, pressure brushes and obstacle contact: spring, dashpot and Coulomb friction within
+/// the thickness of a surface.
 void addOuterForces(const SheetView& view, const SheetVelocities& now);
 
 /// Largest fraction of the relative velocity that air drag removes in a step; drag uses the velocity before

@@ -23,7 +23,7 @@ void addCells(const Table& rows, const CellTable& cells, CostOf costOf, std::vec
 
 /// Sleeping particles cost about a tenth.
 double costOfParticle(const Continuum& p, std::size_t i, const RowCosts& costs) {
-  return (p.sleep.active && p.sleep[i] == asleep ? 0.1 : 1) *
+  return (p.sleep.active && p.sleep[i] == sleeping ? 0.1 : 1) *
          (p.phase[i] == Solid ? costs.solid : costs.liquid);
 }
 

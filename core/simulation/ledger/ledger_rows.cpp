@@ -2,7 +2,7 @@
 #include "core/simulation/ledger/ledger_rows.hpp"
 
 #include "core/ledger/body_type_row.hpp"
-#include "core/oriented/population/ledger_row.hpp"
+#include "core/oriented/adaptive_sampling/ledger_row.hpp"
 #include "core/simulation/world/body_types.hpp"
 
 namespace thaw {

@@ -102,7 +102,7 @@ std::vector<NamedCount> countsOf(Counters& c) {
           {"divergence_iterations", &c.divergenceIterations},
           {"oriented_births", &c.orientedBirths},
           {"oriented_deaths", &c.orientedDeaths},
-          {"asleep", &c.asleep},
+          {"asleep", &c.sleeping},
           {"unsolved_pressures", &c.unsolvedPressures},
           {"contact_iterations", &c.contactIterations},
           {"contact_unfinished", &c.contactUnfinished},
@@ -125,7 +125,7 @@ std::vector<NamedReal> realsOf(MonitorState& s) {
 }
 
 std::vector<NamedCount> countsOf(MonitorState& s) {
-  return {{"halvings", &s.halvings},
+  return {{"backoff", &s.backoff},
           {"failures", &s.failures},
           {"required_snapshots", &s.requiredSnapshots},
           {"snapshots_since_change", &s.snapshotsSinceChange},

@@ -12,7 +12,7 @@ StepModule sleepOfSolids() {
             [](StepContext& c) {
               const Continuum& p = c.w.particles;
               for (std::size_t i = p.owned - c.t.redistribution.migration.arrivals; i < p.owned; i++)
-                c.t.sleep.recomputeAll = c.t.sleep.recomputeAll || p.sleep[i] == asleep;
+                c.t.sleep.recomputeAll = c.t.sleep.recomputeAll || p.sleep[i] == sleeping;
             }},
            {ModulePhase::WallContacts, [](StepContext& c) { beginSleep(sleepView(c.w, c.t), c.dt); }},
            {ModulePhase::InnerRows, [](StepContext& c) { markSleepingInner(sleepView(c.w, c.t)); }},

@@ -15,23 +15,23 @@
 namespace thaw {
 namespace {
 
-constexpr std::int64_t mostRequiredSnapshots = 64, mostHalvings = 60;
+constexpr std::int64_t mostRequiredSnapshots = 64, mostBackoff = 60;
 
 bool recovers(const Material& m) {
   if (m.volumeStiffness > 0) return true;
   return boundLaw(m).law->resistsInversion;
 }
 
-/// Returns the step (s) of the clock without halvings; half of an unlimited step would be unlimited.
+/// Returns the step (s) of the clock without backoff; half of an unlimited step would be unlimited.
 double fullStep(const Clock& c, double factor) {
   return c.dt < never ? c.dt / factor : longestUnlimitedStep(c);
 }
 
 /// Returns the number of active halvings after one more failure.
-std::int64_t moreHalvings(const MonitorState& failed, const Clock& c) {
-  std::int64_t h = std::min(failed.halvings + 1, mostHalvings);
+std::int64_t nextBackoff(const MonitorState& failed, const Clock& c) {
+  std::int64_t h = std::min(failed.backoff + 1, mostBackoff);
   // If frames shorten the step, halving a longer one would change nothing.
-  while (c.every > 0 && h < mostHalvings && std::ldexp(failed.fullStep, 1 - static_cast<int>(h)) > c.every)
+  while (c.every > 0 && h < mostBackoff && std::ldexp(failed.fullStep, 1 - static_cast<int>(h)) > c.every)
     h++;
   return h;
 }
@@ -62,8 +62,7 @@ MonitorLimits monitorLimits(const Scene& s, const Modules& modules,
   if (modules.flowLaw && !modules.implicitViscosity)
     for (std::size_t k = 0; k < s.materials.size(); k++)
       if (hasFlowLaw(s.materials[k])) longest = std::min(longest, flowLawStepLimit(s, s.materials[k]));
-  // The step also depends on the expected speed: if the materials limit only heat, that is by far the shorter
-  // one.
+  // The expected speed also limits the step, most of all where materials limit only heat.
   if (longest < never && b.expected > 0)
     longest = std::min(longest, supportsPerStep * n.support * s.spacing / b.expected);
   b.step = longest < never ? n.watchStep * longest : n.watchStep * 1e-5 * s.end;
@@ -120,7 +119,7 @@ Failure checkEnergyBudget(const World& w, const MonitorLimits& b, const LedgerRe
 }
 
 double nextFactor(const MonitorState& s) {
-  return std::min(std::ldexp(1.0, -static_cast<int>(s.halvings)), 1.1 * s.factor);
+  return std::min(std::ldexp(1.0, -static_cast<int>(s.backoff)), 1.1 * s.factor);
 }
 
 void acceptState(MonitorState& s, const Clock& clock, const LedgerReport& budget) {
@@ -129,15 +128,15 @@ void acceptState(MonitorState& s, const Clock& clock, const LedgerReport& budget
   s.scale = budget.energyScale;
   s.largest = std::max(s.largest, budget.energyScale);
   s.fullStep = fullStep(clock, s.factor);
-  if (s.halvings == 0 && s.requiredSnapshots == 1) return;
+  if (s.backoff == 0 && s.requiredSnapshots == 1) return;
   if (++s.snapshotsSinceChange < s.requiredSnapshots || clock.time < s.passed) return;
   s.snapshotsSinceChange = 0;
-  if (s.halvings == 0) {
+  if (s.backoff == 0) {
     s.requiredSnapshots /= 2;  // an old failure must not prolong the next one
     return;
   }
-  s.halvings--;
-  s.failures = s.halvings == 0 ? 0 : std::max(s.failures - 1, std::int64_t(0));
+  s.backoff--;
+  s.failures = s.backoff == 0 ? 0 : std::max(s.failures - 1, std::int64_t(0));
 }
 
 bool mayRetry(const Numerics& n, const MonitorState& monitor, const Clock& clock, const MonitorLimits& b) {
@@ -145,19 +144,19 @@ bool mayRetry(const Numerics& n, const MonitorState& monitor, const Clock& clock
 }
 
 bool retryTooShort(const MonitorState& monitor, const Clock& clock, const MonitorLimits& b) {
-  return std::ldexp(monitor.fullStep, -static_cast<int>(moreHalvings(monitor, clock))) < b.step;
+  return std::ldexp(monitor.fullStep, -static_cast<int>(nextBackoff(monitor, clock))) < b.step;
 }
 
 void halveStep(MonitorState& s, Clock& c, const Scene& scene, const MonitorState& failed, double failedAt) {
   const double full = fullStep(c, s.factor);
   s.failures = failed.failures + 1;
-  s.halvings = moreHalvings(failed, c);
+  s.backoff = nextBackoff(failed, c);
   s.requiredSnapshots = std::min(2 * failed.requiredSnapshots, mostRequiredSnapshots);
   s.snapshotsSinceChange = 0;
   const double stretch = static_cast<double>(scene.numerics.retryEvery) *
                          std::min(full, longestUnlimitedStep(c));
   s.passed = std::max(failed.passed, failedAt + stretch);
-  s.factor = std::min(s.factor, std::ldexp(1.0, -static_cast<int>(s.halvings)));
+  s.factor = std::min(s.factor, std::ldexp(1.0, -static_cast<int>(s.backoff)));
   c.dt = s.factor * full;
 }
 

@@ -38,7 +38,7 @@ Failure failureOf(const World& world, const MonitorLimits& bounds, const StepLim
 Failure checkEnergyBudget(const World& world, const MonitorLimits& bounds, const LedgerReport& budget,
                           Reducer& all);
 
-/// Returns the factor of the next step, one step closer to 2^-halvings.
+/// Returns the factor of the next step, one step closer to 2^-backoff.
 double nextFactor(const MonitorState& monitor);
 
 /// Accepts the state as a snapshot. After MonitorState::requiredSnapshots snapshots since the latest failure,

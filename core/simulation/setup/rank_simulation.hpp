@@ -36,7 +36,7 @@ template<class AllRanks, class Cells, class Bonds, class... Ranks> struct RankSi
     return startWorld(world, halos(), tools, load, change);
   }
   /// Takes one step. Collective.
-  StepOutcome step(const Requests& wanted = {}) { return thaw::step(world, halos(), tools, wanted); }
+  StepOutcome step(const Requests& requests = {}) { return thaw::step(world, halos(), tools, requests); }
 };
 
 }  // namespace thaw

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/oriented/adaptive_sampling/adaptive_sampling.hpp"
+#include "core/oriented/adaptive_sampling/follow_interpolant.hpp"
+#include "core/oriented/adaptive_sampling/redistribute_oriented.hpp"
 #include "core/oriented/forces/constraints.hpp"
 #include "core/oriented/forces/oriented_forces.hpp"
-#include "core/oriented/population/adaptive_sampling.hpp"
-#include "core/oriented/population/follow_interpolant.hpp"
-#include "core/oriented/population/redistribute_oriented.hpp"
 #include "core/simulation/body_types/redistribute_body_types.hpp"
 #include "core/simulation/views/views.hpp"
 

@@ -7,8 +7,8 @@ namespace thaw {
 
 struct MonitorState {
   double factor = 1;  ///< 1, multiplies the step limit or the fixed step; grows by a tenth per step up to
-                      ///< 2^-halvings
-  std::int64_t halvings = 0;           ///< number of active halvings of the step
+                      ///< 2^-backoff
+  std::int64_t backoff = 0;            ///< number of active halvings of the step
   std::int64_t failures = 0;           ///< rollbacks whose halving is still active; at most Numerics::retries
   std::int64_t requiredSnapshots = 1;  ///< snapshots required in succession before the step doubles; each
                                        ///< failure doubles it
@@ -17,7 +17,7 @@ struct MonitorState {
   double residual = 0;                    ///< J, LedgerReport::energyResidual of the last snapshot
   double scale = 0;                       ///< J, LedgerReport::energyScale of the last snapshot
   double largest = 0;                     ///< J, largest energyScale of all snapshots since the run began
-  double fullStep = 0;  ///< s, step without halvings at the last snapshot, before frames shortened it
+  double fullStep = 0;  ///< s, step without backoff at the last snapshot, before frames shortened it
   double passed = 0;    ///< s, simulated time after which the latest failure counts as passed
 };
 

@@ -137,8 +137,8 @@ void loadLaneConstants(const ElasticArrays& a, std::size_t solid0, int n, LaneCo
     out.active[l] = active;
     out.volume[l] = active ? a.volume[s] : 0;
     out.hourglass[l] = c.hourglass * out.volume[l] * a.perTrace[s];
-    // A bond's damping is the mean of both ends, hence 0.5. The factor 3 is because a bond acts along its
-    // direction only.
+    // A bond's damping is the mean of both ends, hence 0.5. A bond acts along its direction
+    // only, hence the factor 3.
     out.drag[l] = 0.5 * 3 * c.dragDensity * out.volume[l] * a.perWeight[s];
     if (l < n && a.dissipated && !a.keepDissipated) a.dissipated[s] = 0;
   }

@@ -27,7 +27,7 @@ struct SurfaceComponent {
   double isoOffset = 0;
   /// m^3, target of volume enforcement: volume of its particles times the initial ratio of mesh to particle
   /// volume; valid in an update
-  double wantedVolume = 0;
+  double targetVolume = 0;
   /// m^2, sum of areas times liquid fractions, movable as liquid; valid in an update
   double liquidArea = 0;
   /// m^2, sum of areas times frozenShare (surfels.hpp), movable as frozen surface; valid in an update

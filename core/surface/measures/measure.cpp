@@ -25,7 +25,7 @@ struct Record {
 enum Sum {
   Mass,
   ParticleVolume,
-  WantedVolume,
+  TargetVolume,
   MomentX,
   MomentY,
   MomentZ,
@@ -168,7 +168,7 @@ void addRows(const Surface& s, const Group& g, const std::vector<std::uint32_t>&
     const Vec3d d = unwrappedPosition(s.grid, r.piece, p.position[i]) - r.anchor;
     sum[Mass].add(p.mass[i]);
     sum[ParticleVolume].add(p.volume[i]);
-    sum[WantedVolume].add(p.volumeRatio[i] * p.volume[i]);
+    sum[TargetVolume].add(p.volumeRatio[i] * p.volume[i]);
     for (std::size_t a = 0; a < 3; a++) sum[MomentX + a].add(p.mass[i] * d[static_cast<int>(a)]);
   }
   for (std::size_t k = g.surfelsFrom; k < g.surfelsTo; k++) {
@@ -201,7 +201,7 @@ void finish(const Surface& s, Record& r, const std::array<double, sums>& v) {
   SurfaceComponent& c = r.measured;
   c.mass = v[Mass];
   c.particleVolume = v[ParticleVolume];
-  c.wantedVolume = v[WantedVolume];
+  c.targetVolume = v[TargetVolume];
   c.area = v[Area];
   c.liquidArea = v[FreeArea];
   c.frozenArea = v[PlainArea];

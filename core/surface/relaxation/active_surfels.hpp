@@ -12,7 +12,7 @@
 namespace thaw {
 
 /// Flags the owned surfels that the forces may move; with `all` every one. Surfels of drops with at most
-/// smallDrop particles are left out: they form spheres (renewSurfels), and the colour field between two such
+/// smallDrop particles are left out. They form spheres (renewSurfels), and the colour field between two such
 /// drops would tear them apart.
 void markFree(const Surface& surface, bool all, std::vector<std::uint8_t>& free);
 

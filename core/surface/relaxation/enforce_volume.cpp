@@ -31,7 +31,7 @@ struct MovableArea {
 MovableArea movableAreaOf(const SurfaceComponent& c, bool start) {
   constexpr std::int64_t fewest = 12;
   constexpr double leastFree = 0.03, leastFrozen = 0.9, closed = 0.25;
-  if (c.surfels < fewest || !(c.wantedVolume > 0) || !(c.open < closed)) return {};
+  if (c.surfels < fewest || !(c.targetVolume > 0) || !(c.open < closed)) return {};
   // Surface on a wall cannot move. If nearly all of it lies on walls, the small free rest cannot compensate.
   const auto area = [&](double all) { return std::max(all - c.wallArea, 0.2 * all); };
   if (c.particles <= smallDrop)
@@ -42,7 +42,7 @@ MovableArea movableAreaOf(const SurfaceComponent& c, bool start) {
   return {};
 }
 
-double errorOf(const SurfaceComponent& c) { return std::abs(c.volume - c.wantedVolume) / c.wantedVolume; }
+double errorOf(const SurfaceComponent& c) { return std::abs(c.volume - c.targetVolume) / c.targetVolume; }
 
 /// Returns the fraction of its component's offset that surfel i takes.
 double shareOf(const Surfels& f, std::size_t i, MovablePart what) {
@@ -83,7 +83,7 @@ bool volumesDeviate(const Surface& s, bool start) {
   });
 }
 
-void offsetToVolume(Surface& s, const Bins& surfelBins, double keepVolume, double particleSpacing, bool start,
+void offsetToVolume(Surface& s, const Bins& surfelBins, double weight, double particleSpacing, bool start,
                     std::vector<VolumeMove>& last) {
   Surfels& f = s.surfels;
   if (!f.liquid.active && !start) return;
@@ -100,8 +100,7 @@ void offsetToVolume(Surface& s, const Bins& surfelBins, double keepVolume, doubl
     const MovableArea hold = movableAreaOf(c, start);
     if (!(hold.area > 0) || errorOf(c) <= hold.tolerance) continue;
     const double by = std::clamp(
-        keepVolume * (c.wantedVolume - c.volume) / areaMoved(hold.area, c.volume, last[k]), -longest,
-        longest);
+        weight * (c.targetVolume - c.volume) / areaMoved(hold.area, c.volume, last[k]), -longest, longest);
     last[k] = {c.volume, by};
     // Includes offsets that the level of the iterations cannot follow. The iterations undo these, and the
     // next update repeats them.

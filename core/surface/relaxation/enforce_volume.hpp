@@ -18,7 +18,7 @@ struct VolumeMove {
   double volume = 0, by = 0;
 };
 
-/// Moves surfels along their normals to enforce the volume. A surfel moves by f keepVolume (V_target - V) /
+/// Moves surfels along their normals to enforce the volume. A surfel moves by f weight (V_target - V) /
 /// sum f A, with liquid fraction f and area A, summed over the component. It moves by at most half the surfel
 /// spacing. SurfaceComponent::isoOffset changes equally, so that solid surfaces keep position and detail.
 /// V_target is the particles' mass over rest density, times the ratio of mesh to particle volume at the
@@ -28,7 +28,7 @@ struct VolumeMove {
 /// `start`, grown solids are corrected once and keep their position afterwards. `moves`: state of the calls
 /// of one update for each component; empty at the first. Requires: measured Surface::components. Not
 /// collective.
-void offsetToVolume(Surface& surface, const Bins& surfelBins, double keepVolume, double particleSpacing,
+void offsetToVolume(Surface& surface, const Bins& surfelBins, double weight, double particleSpacing,
                     bool start, std::vector<VolumeMove>& moves);
 
 /// Returns whether a component would move.

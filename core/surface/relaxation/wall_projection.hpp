@@ -10,7 +10,7 @@
 namespace thaw {
 
 /// Returns a position projected out of walls and obstacles. The surface then lies on them, on the body's
-/// side: through a thin wall (the bottom of a glass), the nearest exit may be the far side. `outward`:
+/// side. Through a thin wall (the bottom of a glass), the nearest exit may be the far side. `outward`:
 /// outward normal of the body. Repeated where walls meet.
 Vec3d projectedOutOfWalls(const SurfaceView& view, const Vec3d& x, const Vec3d& outward);
 

@@ -77,8 +77,8 @@ bool pastEdge(const Patch& patch, const SurfacePoint& p, double distance) {
   return false;
 }
 
-/// Returns whether p lies on no disc around it and near no disc's plane. Between faces that meet at an edge,
-/// the mean of their planes (projectToPatch) may lie deep below both. Births there would continue as a second
+/// Returns whether p is outside all discs and far from their planes. Between faces that meet at an edge, the
+/// mean of their planes (projectToPatch) may lie deep below both. Births there would continue as a second
 /// sheet behind the surface. Only surfels with mesh detail are tested, because the edges of thin grown plates
 /// are rounder than their discs.
 bool offAllDiscs(const Patch& patch, const SurfacePoint& p, double distance) {

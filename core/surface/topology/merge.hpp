@@ -8,13 +8,16 @@
 
 namespace thaw {
 
-/// Joins components in contact. Contact means that a particle of one lies inside the surface of the other.
-/// For liquids, a distance as between particles of one liquid suffices. The scene's rule decides: Liquid
-/// requires that the particle or the surface is more than half liquid; All and None. All contacts of an
-/// update are united at once, and the smallest label remains. Surfels inside the other surface, or less than
-/// half a spacing off it, are deleted on both sides; resampling then closes the seam. Without joining,
-/// surfels inside the other surface move to the middle between the two. Requires: placed surfels and
-/// particles with ghosts. Afterwards surfels have no ghosts and may have left their cells. Collective.
+/// Joins components in contact, or separates their surfaces.
+///   - Contact: a particle of one component lies inside the surface of the other. For liquids, the distance
+///     of particles of one liquid suffices.
+///   - The scene's rule decides. MergeRule::Liquid requires particle or surface to be more than half liquid.
+///   - All contacts of an update are united at once, and the smallest label remains.
+///   - Joined: surfels inside the other surface, or less than half a spacing off it, are deleted on both
+///     sides. Resampling then closes the seam.
+///   - Separated: surfels inside the other surface move to the middle between the two.
+/// Requires: placed surfels and particles with ghosts. Collective.
+/// Ensures: surfels have no ghosts, and may have left their cells.
 void mergeComponents(const SurfaceView& view, SurfaceHalos halos, ComponentTools& components,
                      MergeTools& tools);
 

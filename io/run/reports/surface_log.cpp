@@ -15,10 +15,21 @@ namespace {
 
 constexpr const char* headLine =
     "frame,step,time_s,component,particles,surfels,mass_kg,particle_volume_m3,volume_m3,area_m2,x_m,y_m,z_m,"
-    "wanted_volume_m3,open\n";
+    "target_volume_m3,open\n";
 
 namespace column {
-enum { step = 1, time, component, particles, surfels, particleVolume = 7, volume, wanted = 13, open, count };
+enum {
+  step = 1,
+  time,
+  component,
+  particles,
+  surfels,
+  particleVolume = 7,
+  volume,
+  targetVolume = 13,
+  open,
+  count
+};
 }
 
 std::vector<std::string> fieldsOf(const std::string& line) {
@@ -52,7 +63,7 @@ void addToComponentLog(const std::string& out, const Surface& surface, const Clo
   for (const SurfaceComponent& c : surface.components)
     lines += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", clock.frame, clock.step,
                          clock.time, c.label, c.particles, c.surfels, c.mass, c.particleVolume, c.volume,
-                         c.area, c.centroid.x, c.centroid.y, c.centroid.z, c.wantedVolume, c.open);
+                         c.area, c.centroid.x, c.centroid.y, c.centroid.z, c.targetVolume, c.open);
   std::ofstream file(componentLogPath(out), std::ios::app);
   file << lines;
   file.close();
@@ -88,7 +99,7 @@ VolumeErrors truncateComponentLog(const std::string& out, std::int64_t step) {
     c.surfels = numberIn<std::int64_t>(fields, column::surfels, 0);
     c.particleVolume = numberIn(fields, column::particleVolume, 0.0);
     c.volume = numberIn(fields, column::volume, 0.0);
-    c.wantedVolume = numberIn(fields, column::wanted, 0.0);
+    c.targetVolume = numberIn(fields, column::targetVolume, 0.0);
     c.open = numberIn(fields, column::open, 0.0);
     frame.push_back(c);
     time = numberIn(fields, column::time, 0.0);

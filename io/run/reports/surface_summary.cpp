@@ -40,7 +40,7 @@ Json surfaceJson(const SurfaceSummary& s) {
                                {"mass_kg", c.mass},
                                {"particle_volume_m3", c.particleVolume},
                                {"volume_m3", c.volume},
-                               {"wanted_volume_m3", c.wantedVolume},
+                               {"target_volume_m3", c.targetVolume},
                                {"area_m2", c.area},
                                {"open", c.open},
                                {"centroid_m", {c.centroid.x, c.centroid.y, c.centroid.z}}});

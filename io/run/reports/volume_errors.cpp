@@ -19,7 +19,7 @@ void note(VolumeError& worst, const SurfaceComponent& c, double volume, double t
 }
 
 /// Returns the target volume. Logs of earlier versions lack it.
-double wantedOf(const SurfaceComponent& c) { return c.wantedVolume > 0 ? c.wantedVolume : c.particleVolume; }
+double targetOf(const SurfaceComponent& c) { return c.targetVolume > 0 ? c.targetVolume : c.particleVolume; }
 
 bool there(const VolumeError& w) { return w.label != noComponent; }
 std::string placeOf(const VolumeError& w) {
@@ -41,17 +41,17 @@ void recordVolumes(VolumeErrors& errors, const std::vector<SurfaceComponent>& co
   VolumeSums frame;
   frame.time = time;
   for (const SurfaceComponent& c : components) {
-    const double wanted = wantedOf(c);
+    const double target = targetOf(c);
     frame.volume += c.volume;
-    frame.wanted += wanted;
+    frame.target += target;
     frame.particles += c.particles;
-    if (wanted > 0 && std::abs(c.volume / wanted - 1) > mostOff) frame.missed += c.particles;
+    if (target > 0 && std::abs(c.volume / target - 1) > mostOff) frame.missed += c.particles;
     if (c.particles < leastSmallParticles) continue;
     if (c.particles < leastComponentParticles) {
-      note(errors.small, c, wanted, time);
+      note(errors.small, c, target, time);
     } else if (c.surfels >= leastControlledSurfels) {
       note(errors.againstParticles, c, c.particleVolume, time);
-      note(errors.againstTarget, c, c.wantedVolume, time);
+      note(errors.againstTarget, c, c.targetVolume, time);
       if (c.open > closedTolerance) errors.unsure += c.particles;
       if (c.open > errors.open.off) errors.open = {c.open, c.label, c.particles, time};
     }
@@ -93,7 +93,7 @@ nlohmann::ordered_json volumeErrorJson(const VolumeErrors& h) {
   nlohmann::ordered_json j = {{"least_particles", leastComponentParticles}};
   if (!h.any) return j;
   if (there(h.againstParticles)) j["worst_against_particles"] = jsonOf(h.againstParticles);
-  if (there(h.againstTarget)) j["worst_against_wanted"] = jsonOf(h.againstTarget);
+  if (there(h.againstTarget)) j["worst_against_target"] = jsonOf(h.againstTarget);
   if (there(h.small)) j["worst_of_small"] = jsonOf(h.small);
   if (there(h.open))
     j["worst_open"] = {{"share_of_area", h.open.off},

@@ -30,10 +30,10 @@ struct VolumeError {
 
 /// All components of a frame together.
 struct VolumeSums {
-  double time = 0, volume = 0, wanted = 0;  ///< s, m^3, m^3
+  double time = 0, volume = 0, target = 0;  ///< s, m^3, m^3
   std::int64_t particles = 0, missed = 0;  ///< all particles, and those in components more than 1 % off their
                                            ///< target volume
-  double off() const { return wanted > 0 ? volume / wanted - 1 : 0; }
+  double off() const { return target > 0 ? volume / target - 1 : 0; }
   double missedShare() const {
     return particles > 0 ? static_cast<double>(missed) / static_cast<double>(particles) : 0;
   }
@@ -43,7 +43,7 @@ struct VolumeSums {
 struct VolumeErrors {
   bool any = false;              ///< at least one component
   VolumeError againstParticles;  ///< against the volume of the particles
-  VolumeError againstTarget;     ///< against the target volume (SurfaceComponent::wantedVolume)
+  VolumeError againstTarget;     ///< against the target volume (SurfaceComponent::targetVolume)
   VolumeError small;   ///< the same for components of leastSmallParticles to leastComponentParticles - 1
   VolumeSums sum;      ///< the frame with the largest error of the summed volume
   VolumeSums missing;  ///< the frame with the largest share of missed particles

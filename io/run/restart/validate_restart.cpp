@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "core/oriented/adaptive_sampling/events.hpp"
 #include "core/oriented/forces/constraints.hpp"
-#include "core/oriented/population/events.hpp"
 
 namespace thaw {
 namespace {

@@ -13,14 +13,18 @@ namespace thaw {
 void checkBuoyancy(const SceneReading& x, std::vector<SceneError>& errors) {
   const Scene& s = *x.scene;
   if (s.numerics.buoyancy != Buoyancy::Boussinesq) return;
-  const auto refuse = [&](const SourcePlace& where, const std::string& why) {
-    errors.push_back({where, "`numerics.buoyancy = \"boussinesq\"` " + why});
+  const auto chosen = x.numerics.find("buoyancy");
+  const SourcePlace where = chosen == x.numerics.end() ? x.start : chosen->second;
+  const auto refuse = [&](const SourcePlace& place, const std::string& why) {
+    errors.push_back({place, "`numerics.buoyancy = \"boussinesq\"` " + why});
   };
   if (!hasBuoyancy(s))
-    return refuse(
-        x.start, "needs gravity, and a body or emitter of a material with expansion or a table of densities");
+    return refuse(where,
+                  length(s.domain.gravity) > 0
+                      ? "needs a body or emitter of a material with `expansion` or a table of densities"
+                      : "needs gravity: set `domain.gravity`");
   if (!s.oriented.empty() || !s.sheets.empty())
-    refuse(x.start, "leaves out all weight, also that of sheets and oriented bodies: use \"density\"");
+    refuse(where, "leaves out all weight, also that of sheets and oriented bodies: use \"density\"");
   const Material* first = nullptr;
   for (std::size_t k = 0; k < s.materials.size(); k++) {
     const Material& m = s.materials[k];

@@ -2,8 +2,8 @@
 // Checks events of oriented bodies against the other bodies and earlier events.
 #include <fmt/format.h>
 
-#include "core/oriented/population/events.hpp"
-#include "core/oriented/population/welded_bodies.hpp"
+#include "core/oriented/adaptive_sampling/events.hpp"
+#include "core/oriented/adaptive_sampling/welded_bodies.hpp"
 #include "io/scene/tables/read_sections.hpp"
 
 namespace thaw {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/sheet/data/wrap_target.hpp"
+#include "core/sheet/data/shrink_wrap_target.hpp"
 #include "io/scene/tables/read_sections.hpp"
 #include "io/scene/text/nearest_word.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 void checkWrap(const Scene& s, std::size_t n, std::vector<SceneError>& errors) {
   const SheetBody& b = s.sheets[n];
   if (b.shrinkWrapTo.empty()) return;
-  const std::vector<WrapTarget> found = wrapTargets(s, b.shrinkWrapTo);
+  const std::vector<ShrinkWrapTarget> found = shrinkWrapTargets(s, b.shrinkWrapTo);
   const auto refuse = [&](const std::string& text) {
     errors.push_back({b.where, "sheet '" + b.name + "': shrink_wrap_to: " + text});
   };
@@ -28,7 +28,7 @@ void checkWrap(const Scene& s, std::size_t n, std::vector<SceneError>& errors) {
     refuse("unknown obstacle or body '" + b.shrinkWrapTo + "'" + suggestion(b.shrinkWrapTo, names));
   } else if (found.size() > 1) {
     refuse("'" + b.shrinkWrapTo + "' is the name of several objects of the scene; expected a unique name");
-  } else if (found[0] == WrapTarget{WrapKind::Sheet, static_cast<std::uint16_t>(n)}) {
+  } else if (found[0] == ShrinkWrapTarget{ShrinkWrapKind::Sheet, static_cast<std::uint16_t>(n)}) {
     refuse("a sheet cannot wrap around itself; omit `shrink_wrap_to` to shrink against its own normals");
   }
 }
@@ -63,8 +63,9 @@ void checkInertia(const Scene& s, const SheetBody& b, const SheetRegion* r, std:
   const SourcePlace where = r ? r->where : b.massWhere;
   const bool damped = least(SheetFactor::Damping) > 0;
   if (!damped && !(least(SheetFactor::Stiffness) > 0)) {
-    errors.push_back(
-        {where, who + ": mass, damping and stiffness must not all be zero at the same time: set one"});
+    errors.push_back({where, who + (r ? ": mass, damping and stiffness must not all be zero at the same time"
+                                      : ": must not be zero while damping and stiffness are: set one of the "
+                                        "three")});
     return;
   }
   if (const std::string force = positionDependentForce(s, b); !damped && !force.empty())

@@ -26,8 +26,8 @@ struct OpenChoices {
 /// remains if the temperature varies at the start, since it has the most accurate heat conduction.
 /// Taylor-Green vortices need all of these choices (docs/validation/accuracy.md). Particles of the
 /// incompressible solver start without a lattice, too. Liquid whose weight is left out (Buoyancy::Boussinesq)
-/// fills a closed domain. With the equation of state it gets these defaults as well, but keeps its lattice:
-/// without its weight, pressure that cannot be negative would open gaps.
+/// fills a closed domain. With the equation of state it gets these defaults as well, but keeps its lattice.
+/// Without its weight, pressure that cannot be negative would open gaps.
 void chooseForFullBox(Scene& scene, const OpenChoices& open);
 
 /// Sets the defaults of liquids with a free surface: carried density, negative pressure and particle

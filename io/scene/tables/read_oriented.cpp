@@ -120,7 +120,12 @@ void readEvent(TableReader& r, OrientedEvent& e) {
            "distance within which particles are cut; 0: a support radius");
   const bool smooth = e.kind == OrientedEventKind::Smooth;
   const bool shaped = smooth || (cut && !r.has("plane") && e.path.empty());
-  if (r.reading() ? shaped : r.describing() || e.tool == CutTool::Box) {
+  if (r.reading() && cut && shaped && !hasShape(r))
+    r.fail(r.place(),
+           r.path() +
+               ": this cut has no tool; expected `plane`, `line`, or the shape of the part that comes "
+               "off (box, sphere, ...)");
+  else if (r.reading() ? shaped : r.describing() || e.tool == CutTool::Box) {
     readShape(r, e.region);  // smooth: the region; cut: the part that comes off
     e.tool = CutTool::Box;
     if (readsFile(e.region))

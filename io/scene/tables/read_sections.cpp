@@ -25,7 +25,7 @@ void readMotion(TableReader& r, const char* about, std::vector<Keyframe>& motion
 namespace {
 
 /// Notes which choices of [numerics] the scene leaves open.
-void noteOpenChoices(const TableReader& numerics, OpenChoices& open) {
+void recordOpenChoices(const TableReader& numerics, OpenChoices& open) {
   open.density = !numerics.has("density");
   open.tensileLimit = !numerics.has("tensile_limit");
   open.shifting = !numerics.has("shifting");
@@ -75,7 +75,7 @@ void readSections(TableReader& top, SceneReading& x) {
   top.table("numerics", "numerical method", [&](TableReader& r) {
     readNumerics(r, s.numerics);
     if (r.reading()) x.numerics = r.placesOfKeys();
-    noteOpenChoices(r, x.open);
+    recordOpenChoices(r, x.open);
     if (s.numerics.fixedStep > s.end)
       r.fail("fixed_step", "must not be longer than the simulated time (`end`)");
   });

@@ -247,7 +247,7 @@ void readSheet(TableReader& r, SheetBody& b, SceneReading& x) {
   if (r.has("elastic_limit") && !r.has("plasticity"))
     r.fail("elastic_limit", "has no effect without `plasticity` above 0");
   if (length(b.wind) > 0 && b.windDensity == 0)
-    r.fail("wind", "needs `wind_density`: air without mass does not push", {"wind_density"});
+    r.fail("wind", "needs `wind_density`: air without density exerts no force", {"wind_density"});
   if (b.attraction > 0 && b.attractionRange == 0)
     r.fail("attraction_range", "must be above 0 with `attraction`", {"attraction"});
   if (length(b.warpDirection) == 0) r.fail("warp_direction", "must not be zero: expected a direction");

@@ -2,6 +2,7 @@
 #include "io/scene/tables/table_reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -433,6 +434,18 @@ std::vector<SourcePlace> TableReader::placesOfTable() const {
   return places;
 }
 
+namespace {
+
+/// Returns a similar key, or all keys of a table that has few.
+std::string hintFor(const std::string& name, const std::set<std::string>& known) {
+  constexpr std::size_t few = 6;
+  const std::string similar = suggestion(name, known);
+  if (!similar.empty() || known.empty() || known.size() > few) return similar;
+  return fmt::format("; expected {}`{}`", known.size() > 1 ? "one of " : "", fmt::join(known, "`, `"));
+}
+
+}  // namespace
+
 void TableReader::finish() {
   if (!table_) return;
   for (const auto& [key, node] : *table_) {
@@ -445,7 +458,7 @@ void TableReader::finish() {
     const std::string renamed = renamedKey(name, known_);
     errors_->push_back({where,
                         fmt::format("unknown key '{}'{}{}", name, path_.empty() ? "" : " in " + path_,
-                                    renamed.empty() ? suggestion(name, known_)
+                                    renamed.empty() ? hintFor(name, known_)
                                                     : fmt::format("; its new name is '{}'", renamed)),
                         SceneError::Kind::UnknownKey, path_, placesOfTable(),
                         renamed.empty() ? nearestWord(name, known_) : renamed});

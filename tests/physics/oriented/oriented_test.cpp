@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/oriented/adaptive_sampling/events.hpp"
 #include "core/oriented/forces/oriented_forces.hpp"
-#include "core/oriented/population/events.hpp"
 #include "core/oriented/step_oriented.hpp"
 #include "tests/support/oriented_samples.hpp"
 

@@ -31,7 +31,7 @@ Scene stack(int boxes) {
 
 std::size_t sleepers(const Pieces& p) {
   std::size_t n = 0;
-  for (std::size_t k = 0; k < p.owned; k++) n += p.asleep[k];
+  for (std::size_t k = 0; k < p.owned; k++) n += p.sleeping[k];
   return n;
 }
 
@@ -52,7 +52,7 @@ TEST(RigidSleep, AStackOfTenBoxesIsAsleepAfterTenSeconds) {
   ASSERT_TRUE(runUntil(sim, 10));
   EXPECT_EQ(sleepers(p), 10u);
   EXPECT_EQ(sim.w.counters.contactIterations, iterations) << "contacts among sleeping pieces are solved";
-  EXPECT_EQ(sim.w.counters.asleep, static_cast<std::int64_t>(sim.particles().owned));
+  EXPECT_EQ(sim.w.counters.sleeping, static_cast<std::int64_t>(sim.particles().owned));
   for (std::size_t k = 0; k < p.owned; k++) EXPECT_LT(length(p.centre[k] - start[k]), 0.1 * spacing);
   const LedgerReport now = sim.ledgerReport();
   EXPECT_LT(length(now.momentumResidual), 1e-6 * now.now.mass);
@@ -72,7 +72,7 @@ TEST(RigidSleep, AFallingBoxWakesTheStackThatItHits) {
   EXPECT_EQ(sleepers(p), 4u);
   ASSERT_TRUE(runUntil(sim, hit + 0.02));
   EXPECT_EQ(sleepers(p), 1u) << "only the box far away sleeps";
-  EXPECT_TRUE(p.asleep[4]);
+  EXPECT_TRUE(p.sleeping[4]);
   EXPECT_LT(length(sim.ledgerReport().momentumResidual), 1e-6 * sim.ledgerReport().now.mass);
   ASSERT_TRUE(runUntil(sim, 5));
   EXPECT_EQ(sleepers(p), 5u);
@@ -106,8 +106,8 @@ TEST(RigidSleep, APushingObstacleWakesThePushedPiece) {
   ASSERT_TRUE(runUntil(sim, 0.45));
   EXPECT_EQ(sleepers(p), 2u);
   ASSERT_TRUE(runUntil(sim, 0.95));
-  EXPECT_FALSE(p.asleep[0]);
-  EXPECT_TRUE(p.asleep[1]);
+  EXPECT_FALSE(p.sleeping[0]);
+  EXPECT_TRUE(p.sleeping[1]);
   EXPECT_GT(p.centre[0].x, 0.1);
 }
 

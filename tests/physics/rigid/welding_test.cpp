@@ -213,14 +213,14 @@ TEST(RigidWelding, SleepingPiecesWakeAsTheyWeld) {
   const Pieces& p = sim.w.pieces;
   ASSERT_TRUE(runUntil(sim, 0.29));
   ASSERT_EQ(p.owned, 2u);
-  EXPECT_TRUE(p.asleep[0] && p.asleep[1]);
+  EXPECT_TRUE(p.sleeping[0] && p.sleeping[1]);
   EXPECT_GT(touchingPieces(sim.particles()), 0u);
   ASSERT_TRUE(runUntil(sim, 0.305));
   ASSERT_EQ(p.owned, 1u);
-  EXPECT_FALSE(p.asleep[0]);
+  EXPECT_FALSE(p.sleeping[0]);
   EXPECT_EQ(touchingPieces(sim.particles()), 0u);
   ASSERT_TRUE(runUntil(sim, 0.5));
-  EXPECT_TRUE(p.asleep[0]);
+  EXPECT_TRUE(p.sleeping[0]);
   EXPECT_LT(length(sim.ledgerReport().momentumResidual), 1e-6 * sim.ledgerReport().now.mass);
 }
 

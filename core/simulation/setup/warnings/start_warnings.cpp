@@ -22,8 +22,8 @@ struct RowOwner {
   SourcePlace where;
   std::string name;
   const char* rows;
-  double thickness;            // m, contact distance to an obstacle
-  std::string wrapTargetName;  // target of its wrap, which pulls rows out as well as on
+  double thickness;                  // m, contact distance to an obstacle
+  std::string shrinkWrapTargetName;  // target of its wrap, which pulls rows out as well as on
 };
 
 std::string counted(std::int64_t n, std::int64_t all, const RowOwner& who) {
@@ -67,10 +67,11 @@ void warnOfPlaces(const World& w, const BodyTypeRows& rows, const std::vector<Ro
   // a cloth through a ball stays there: contact pushes vertices to the nearest side
   const auto warnOfInside = [&](const RowOwner& who, const std::string& text, const Body& body) {
     if (!solidAt(w.scene.materials[static_cast<std::size_t>(body.material)], body.temperature))
-      warnings.push_back({who.where, text + "; contact will push its liquid away"});
-    else if (who.wrapTargetName == body.name) return;
+      warnings.push_back(
+          {who.where, text + "; contact will push the liquid of body '" + body.name + "' away"});
+    else if (who.shrinkWrapTargetName == body.name) return;
     else if (w.scene.numerics.overlap == OverlapRule::Keep)
-      warnings.push_back({who.where, text + ", where they stay trapped; move them apart to let them move"});
+      warnings.push_back({who.where, text + "; contact traps them there: move the bodies apart"});
     else
       problems.add(
           who.where,
@@ -90,8 +91,8 @@ void warnOfPlaces(const World& w, const BodyTypeRows& rows, const std::vector<Ro
       const std::string wall = "obstacle '" + w.walls.list[k].properties.name + "'";
       reported.insert({whose[b].name, wall});
       warnings.push_back({whose[b].where, counted(inWalls[b][k], n, whose[b]) +
-                                              " start deeper than half of its thickness in contact with " +
-                                              wall + ": contact adds energy"});
+                                              (inWalls[b][k] == 1 ? " overlaps " : " overlap ") + wall +
+                                              " by more than half of their thickness: contact adds energy"});
     }
   }
 }

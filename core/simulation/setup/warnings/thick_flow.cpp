@@ -52,12 +52,12 @@ std::vector<SceneWarning> thickFlows(const Scene& scene, const Modules& modules,
     const ThickFlow flow = thickFlowOf(scene, m);
     const double times = limits[Limit::Sound] / flow.step;
     if (!(times > 4 && times < never)) return;
-    char text[400];
+    char text[800];
     std::snprintf(text, sizeof text,
                   ": at rest its viscosity is up to %.3g Pa s, and its steps are %.3g times shorter than the "
-                  "limit of sound; `numerics.viscosity_solver = \"implicit\"` is recommended, else a larger "
-                  "flow.least_rate or a smaller flow.largest_viscosity",
-                  flow.viscosity, times);
+                  "limit of sound; set `numerics.viscosity_solver = \"implicit\"`, raise "
+                  "`material.%s.flow.least_rate`, or lower `material.%s.flow.largest_viscosity`",
+                  flow.viscosity, times, m.name.c_str(), m.name.c_str());
     warnings.push_back({m.where, "material." + m.name + text});
   });
   return warnings;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Events of bodies that a weld has left without particles, in the order of their execution.
-#include "core/oriented/population/welded_bodies.hpp"
+#include "core/oriented/adaptive_sampling/welded_bodies.hpp"
 
 #include <gtest/gtest.h>
 

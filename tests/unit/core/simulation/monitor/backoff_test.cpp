@@ -36,7 +36,7 @@ TEST(Watch, FailureHalvesTheStepAndItGrowsBack) {
   EXPECT_EQ(w.monitor.failures, 2);
   EXPECT_EQ(nextFactor(w.monitor), 0.25) << "not yet";
   acceptState(w.monitor, w.clock, {});
-  EXPECT_EQ(w.monitor.halvings, 1);
+  EXPECT_EQ(w.monitor.backoff, 1);
   EXPECT_EQ(w.monitor.failures, 1) << "one retry fewer counts";
   for (int step = 0; step < 7; step++) {
     const double next = nextFactor(w.monitor);
@@ -46,7 +46,7 @@ TEST(Watch, FailureHalvesTheStepAndItGrowsBack) {
   w.monitor.factor = nextFactor(w.monitor);
   EXPECT_EQ(w.monitor.factor, 0.5) << "eight steps of a tenth";
   for (int good = 0; good < 100; good++) acceptState(w.monitor, w.clock, {});
-  EXPECT_EQ(w.monitor.halvings, 0);
+  EXPECT_EQ(w.monitor.backoff, 0);
   EXPECT_EQ(w.monitor.failures, 0);
   EXPECT_EQ(w.monitor.requiredSnapshots, 1) << "all failures are forgiven";
 }
@@ -70,7 +70,7 @@ TEST(Watch, SnapshotsBeforeAFailureDoNotForgiveIt) {
     }
   }
   EXPECT_EQ(tries, w.scene.numerics.retries);
-  EXPECT_EQ(w.monitor.halvings, w.scene.numerics.retries);
+  EXPECT_EQ(w.monitor.backoff, w.scene.numerics.retries);
   w.clock.time = failsAt + 10;  // past it by the time of retry_every full steps
   for (int good = 0; good < 64; good++) acceptState(w.monitor, w.clock, {});
   EXPECT_TRUE(mayRetry(w.scene.numerics, w.monitor, w.clock, b));
@@ -109,16 +109,16 @@ TEST(Watch, HalvesTheFrameIntervalWithoutAStepLimit) {
   acceptState(w.monitor, w.clock, {});
   halveStep(w.monitor, w.clock, w.scene, w.monitor, 0);
   EXPECT_EQ(w.clock.dt, 0.15);
-  EXPECT_EQ(w.monitor.halvings, 1);
+  EXPECT_EQ(w.monitor.backoff, 1);
   const MonitorState failed = w.monitor;
   w.clock.dt = never;
   w.monitor = {};
   halveStep(w.monitor, w.clock, w.scene, failed, 0);
   EXPECT_EQ(w.clock.dt, 0.075);
   MonitorState often;
-  often.halvings = 100;
+  often.backoff = 100;
   halveStep(w.monitor, w.clock, w.scene, often, 0);
-  EXPECT_LT(w.monitor.halvings, 63) << "the message has 1 << halvings";
+  EXPECT_LT(w.monitor.backoff, 63) << "the message has 1 << halvings";
 }
 
 TEST(Watch, IgnoresALongHeatLimit) {
@@ -150,7 +150,7 @@ TEST(Watch, FindsFailuresOfReducedValues) {
   EXPECT_EQ(failureOf(w, b, l, 1), Failure::Step);
   l[Limit::Elastic] = 1.1e-6;
   EXPECT_EQ(failureOf(w, b, l, 1), Failure::None);
-  w.monitor.factor = 0.5, w.monitor.halvings = 1;
+  w.monitor.factor = 0.5, w.monitor.backoff = 1;
   EXPECT_EQ(failureOf(w, b, l, 1), Failure::Step) << "half of the limit is reported";
   w.monitor = {};
   w.scene.numerics.fixedStep = 1e-3;

@@ -134,7 +134,7 @@ TEST(EnforceVolume, OffsetsFollowTheResponseOfTheVolume) {
   s.spacing = 1;
   s.components.resize(1);
   SurfaceComponent& c = s.components[0];
-  c.label = 1, c.particles = 10, c.surfels = 100, c.area = c.liquidArea = 1, c.wantedVolume = 1,
+  c.label = 1, c.particles = 10, c.surfels = 100, c.area = c.liquidArea = 1, c.targetVolume = 1,
   c.volume = 0.9;
   std::vector<VolumeMove> moves;
   offsetToVolume(s, {}, 1, 1, false, moves);

@@ -231,18 +231,18 @@ TEST(SampleShape, MoltenBodiesHoldTheirOwnVolume) {  // a ball of R/dx = 5 has 5
   ASSERT_TRUE(world.w.particles.liquid.active);
   const double exact = 500 * pi / 3;
   EXPECT_NEAR(world.components()[0].volume / exact, 1, 0.01);
-  EXPECT_NEAR(world.components()[0].wantedVolume / exact, 1, 0.01);
+  EXPECT_NEAR(world.components()[0].targetVolume / exact, 1, 0.01);
   for (std::size_t i = 0; i < world.w.solids.owned; i++)
     world.w.solids.deformation[i] = 0.99 * identity3<double>();
   for (int k = 0; k < 3; k++) {  // the target falls once under compression, not with each update
     world.update();
-    EXPECT_NEAR(world.components()[0].wantedVolume / exact, 0.99 * 0.99 * 0.99, 0.01) << k;
+    EXPECT_NEAR(world.components()[0].targetVolume / exact, 0.99 * 0.99 * 0.99, 0.01) << k;
   }
   for (std::size_t i = 0; i < world.w.particles.owned; i++)
     world.w.particles.liquid[i] = 1, world.w.particles.phase[i] = Liquid;
   for (int k = 0; k < 3; k++) world.update();
   EXPECT_GT(world.components()[0].particleVolume, 1.04 * exact);
-  EXPECT_NEAR(world.components()[0].wantedVolume / world.components()[0].particleVolume, 1, 1e-12);
+  EXPECT_NEAR(world.components()[0].targetVolume / world.components()[0].particleVolume, 1, 1e-12);
   EXPECT_NEAR(world.components()[0].volume / world.components()[0].particleVolume, 1, 0.01);
 }
 

@@ -67,8 +67,8 @@ TEST_F(Log, ReportsTheWorstVolumeOfTheRemainingFrames) {
     w.clock.frame = k, w.clock.step = 10 * k, w.clock.time = 0.1 * k;
     SurfaceComponent c{7, 400, 900, 1, 2, 2 * (1 + off[k]), 4, {1, 2, 3}},
         small{9, 29, 60, 1, 2, 2 - 0.6 * k, 4, {}}, drop{10, 4, 11, 1, 1, 1.005, 4, {}};
-    c.wantedVolume = 1.96;
-    small.wantedVolume = 2;
+    c.targetVolume = 1.96;
+    small.targetVolume = 2;
     c.open = 0.004 * (k + 1), small.open = 0.2;
     w.surface.components = {c, small, drop};
     addToComponentLog(out, w.surface, w.clock);
@@ -115,7 +115,7 @@ TEST_F(Log, ReportsTheWorstVolumeOfTheRemainingFrames) {
 
 TEST(VolumeErrors, WarnsAboutSmallComponentsAndTheSum) {
   const auto warning = [](std::vector<SurfaceComponent> components) {
-    for (SurfaceComponent& c : components) c.wantedVolume = c.particleVolume;
+    for (SurfaceComponent& c : components) c.targetVolume = c.particleVolume;
     VolumeErrors errors;
     recordVolumes(errors, components, 0);
     return volumeErrorWarning(errors);
@@ -136,8 +136,8 @@ TEST(VolumeErrors, WarnsAboutSmallComponentsAndTheSum) {
 
 TEST(VolumeErrors, WarnsAboutOpenSurfaces) {
   SurfaceComponent body{7, 100, 900, 1, 1, 1, 4, {}}, sure{9, 300, 900, 1, 3, 3, 4, {}};
-  body.wantedVolume = 1, body.open = 0.03;
-  sure.wantedVolume = 3, sure.open = 0.002;
+  body.targetVolume = 1, body.open = 0.03;
+  sure.targetVolume = 3, sure.open = 0.002;
   VolumeErrors errors;
   recordVolumes(errors, {body, sure}, 0.5);
   EXPECT_EQ(errors.unsure, 100);
@@ -154,7 +154,7 @@ TEST_F(Log, KeepsLinesOfEarlierVersions) {
   std::ofstream(componentLogPath(out))
       << "an older head\n0,0,0,5,40,30,1,2,2.1,4,1,2,3\n1,5,0.1,5,40,30,1,2,2,4,1,2,3\n";
   const VolumeErrors errors = truncateComponentLog(out, 0);
-  EXPECT_NE(text(componentLogPath(out)).find("wanted_volume_m3,open\n0,0,0,5,40,30,1,2,2.1,4,1,2,3,,\n"),
+  EXPECT_NE(text(componentLogPath(out)).find("target_volume_m3,open\n0,0,0,5,40,30,1,2,2.1,4,1,2,3,,\n"),
             std::string::npos)
       << text(componentLogPath(out));
   EXPECT_NEAR(errors.againstParticles.off, 0.05, 1e-12);

@@ -65,6 +65,12 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
       {patch + "[[oriented.event]]\nkind = \"smooth\"\n",
        "s.toml:9:1: error: oriented.a.event.0: has no shape; expected one of mesh, box, sphere, cylinder, "
        "torus, glass, plane, union, difference or intersection"},
+      {patch + "[[oriented.event]]\nkind = \"cut\"\n",
+       "s.toml:9:1: error: oriented.a.event.0: this cut has no tool; expected `plane`, `line`, or the shape "
+       "of "
+       "the part that comes off (box, sphere, ...)"},
+      {"[[sheet]]\ngrid = { height = 1 }\n",
+       "s.toml:7:10: error: unknown key 'height' in sheet.0.grid; expected one of `depth`, `width`"},
       {cloth + "[sheet.clamp]\n",
        "s.toml:8:1: error: sheet.0.clamp.0: has no shape; expected one of mesh, box, sphere, cylinder, "
        "torus, "
@@ -113,7 +119,7 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
        "s.toml:8:8: error: sheet.0.mass: expected a quantity in kg/m^2, got \"3 N/m\""},
       {cloth + "shrink_wrap = 1\nshrink_wrap_to = \"bal\"\n[[obstacle]]\nname = \"ball\"\nsphere = { radius "
                "= 0.1 }\n",
-       "s.toml:6:1: error: sheet 'sheet 0': shrink_wrap_to: unknown obstacle or body 'bal'; did you mean "
+       "s.toml:6:1: error: sheet.0: shrink_wrap_to: unknown obstacle or body 'bal'; did you mean "
        "'ball'?"},
       {cloth + "name = \"b\"\nshrink_wrap = 1\nshrink_wrap_to = \"b\"\n",
        "s.toml:6:1: error: sheet 'b': shrink_wrap_to: a sheet cannot wrap around itself; omit "
@@ -122,7 +128,7 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
        "its own normals"},
       {cloth + "shrink_wrap = 1\nshrink_wrap_to = \"a\"\n" + patch +
            "[[obstacle]]\nname = \"a\"\nsphere = { radius = 0.1 }\n",
-       "s.toml:6:1: error: sheet 'sheet 0': shrink_wrap_to: 'a' is the name of several objects of the scene; "
+       "s.toml:6:1: error: sheet.0: shrink_wrap_to: 'a' is the name of several objects of the scene; "
        "expected "
        "a unique name"},
       {cloth + "shrink_wrap = 1\nshrink_wrap_in_time = [[0, 1]]\n",
@@ -137,19 +143,19 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
       {cloth + "warp = 1\nwarp_in_time = [[0, 1], [1, -2]]\n",
        "s.toml:9:29: error: sheet.0.warp_in_time: must be >= 0, got -2"},
       {cloth + "mass = 0\nstiffness = 1\n[[sheet.pressure_brush]]\npressure = [0, 0, 1]\n",
-       "s.toml:8:8: error: sheet 'sheet 0': mass: a massless, undamped vertex has no stable step under "
+       "s.toml:8:8: error: sheet.0: mass: a massless, undamped vertex has no stable step under "
        "the pressure of a pressure brush: expected mass, or damping at all times"},
       {cloth + "mass = 0\nstiffness = 1\n[[obstacle]]\nsphere = { radius = 0.1 }\n",
-       "s.toml:8:8: error: sheet 'sheet 0': mass: a massless, undamped vertex has no stable step under "
+       "s.toml:8:8: error: sheet.0: mass: a massless, undamped vertex has no stable step under "
        "contact with obstacles: expected mass, or damping at all times"},
       {cloth + "mass = 0\ndamping = 1\nwarp = 1\ndamping_in_time = [[0, 1], [1, 0]]\n",
-       "s.toml:8:8: error: sheet 'sheet 0': mass: mass, damping and stiffness must not all be zero at the "
-       "same time: set one"},
+       "s.toml:8:8: error: sheet.0: mass: must not be zero while damping and stiffness are: set one "
+       "of the three"},
       {cloth + "stiffness = 1\nwarp = 2\n[[sheet.region]]\nsphere = { radius = 0.1 }\nmass = 0\n",
-       "s.toml:10:1: error: sheet 'sheet 0': this region: a massless, undamped vertex has no stable step "
+       "s.toml:10:1: error: sheet.0: this region: a massless, undamped vertex has no stable step "
        "under forces of its neighbours: expected mass, or damping at all times"},
       {cloth + "damping = 1\nwind_density = 1\n[[sheet.region]]\nsphere = { radius = 0.1 }\nmass = 0\n",
-       "s.toml:10:1: error: sheet 'sheet 0': this region: the air's drag on vertices without mass has no "
+       "s.toml:10:1: error: sheet.0: this region: the air's drag on vertices without mass has no "
        "stable step: expected mass > 0, or `wind_density = 0` there"},
       {patch + "[[oriented.event]]\nkind = \"weld\"\n",
        "s.toml:9:1: error: oriented.a.event.0.other: is missing: expected the name of the body to weld "
@@ -173,7 +179,7 @@ TEST(BadBodyTypes, InvalidSettingsAreRefusedWithTheirPlace) {
        "s.toml:7:8: error: sheet.0.mesh: unknown built-in mesh 'cat'; expected \"builtin:bust\" or "
        "\"builtin:head\""},
       {cloth + "wind = [1, 0, 0]\n",
-       "s.toml:8:8: error: sheet.0.wind: needs `wind_density`: air without mass does not push"},
+       "s.toml:8:8: error: sheet.0.wind: needs `wind_density`: air without density exerts no force"},
   };
   for (const auto& t : table) EXPECT_EQ(errorOf(t.text), t.line);
   EXPECT_EQ(

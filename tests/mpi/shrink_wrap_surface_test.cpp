@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The distributed surface of a body that sheets wrap: the part on each rank against the complete surface, and
 // the forces returned to it.
-#include "core/sheet/wrap/wrap_surface.hpp"
+#include "core/sheet/shrink_wrap/shrink_wrap_surface.hpp"
 
 #include <gtest/gtest.h>
 
@@ -41,13 +41,13 @@ TEST(WrapParts, RanksHoldTheirPartsAndReturnTheForces) {
   domain.max = {edge * size, edge * size, edge * size};
   CellGrid grid = makeGrid(domain, edge);
   grid.origin = {};
-  std::vector<WrapCell> mine, surface;
+  std::vector<ShrinkWrapCell> mine, surface;
   for (int z = 0; z < size; z++)
     for (int y = 0; y < size; y++)
       for (int x = 0; x < size; x++) {
         const Vec3i c{x, y, z};
         if (!taken(c)) continue;
-        const WrapCell p{cellKey(c), 1 + 0.1 * x, middleOf(c)};
+        const ShrinkWrapCell p{cellKey(c), 1 + 0.1 * x, middleOf(c)};
         // some ranks have no part
         if (static_cast<int>(mixBits(p.key) % 5) * all.size() / 5 == all.rank()) mine.push_back(p);
         if (!(taken({x + 1, y, z}) && taken({x - 1, y, z}) && taken({x, y + 1, z}) && taken({x, y - 1, z}) &&
@@ -59,13 +59,13 @@ TEST(WrapParts, RanksHoldTheirPartsAndReturnTheForces) {
     places.push_back(edge * size *
                      Vec3d{randomUniform(7, Purpose::Test, k, 0), 0.3 * randomUniform(7, Purpose::Test, k, 1),
                            randomUniform(7, Purpose::Test, k, 2)});
-  const WrapSurface found = findWrapSurface(all, grid, mine, places, 2 * edge);
+  const ShrinkWrapSurface found = findShrinkWrapSurface(all, grid, mine, places, 2 * edge);
   EXPECT_TRUE(found.any);
   ASSERT_TRUE(std::is_sorted(found.near.begin(), found.near.end(),
-                             [](const WrapCell& a, const WrapCell& b) { return a.key < b.key; }));
+                             [](const ShrinkWrapCell& a, const ShrinkWrapCell& b) { return a.key < b.key; }));
   std::set<std::uint64_t> has, of;
-  for (const WrapCell& p : surface) of.insert(p.key);
-  for (const WrapCell& p : found.near) {
+  for (const ShrinkWrapCell& p : surface) of.insert(p.key);
+  for (const ShrinkWrapCell& p : found.near) {
     EXPECT_TRUE(of.contains(p.key));
     EXPECT_EQ(p.middle, middleOf(cellOfKey(p.key)));
     has.insert(p.key);
@@ -73,8 +73,8 @@ TEST(WrapParts, RanksHoldTheirPartsAndReturnTheForces) {
   EXPECT_EQ(has.size(), found.near.size());
   for (const Vec3d& x : places) {
     double nearest = 1e300;
-    for (const WrapCell& p : surface) nearest = std::min(nearest, length(p.middle - x));
-    for (const WrapCell& p : surface)
+    for (const ShrinkWrapCell& p : surface) nearest = std::min(nearest, length(p.middle - x));
+    for (const ShrinkWrapCell& p : surface)
       ASSERT_TRUE(length(p.middle - x) > nearest + 2 * edge || has.contains(p.key));
   }
   // each rank draws its parts by one unit along x and by its rank along y
@@ -82,16 +82,17 @@ TEST(WrapParts, RanksHoldTheirPartsAndReturnTheForces) {
   for (std::size_t k = 0; k < found.near.size(); k++) units.insert(units.end(), {1, all.rank(), -3});
   std::int64_t sums[3] = {0, 0, static_cast<std::int64_t>(found.near.size())};
   std::uint64_t last = 0;
-  for (const WrapForce& p : reduceWrapForces(all, found, units)) {
+  for (const ShrinkWrapForce& p : reduceShrinkWrapForces(all, found, units)) {
     EXPECT_GT(p.key, last);
     last = p.key;
-    EXPECT_TRUE(std::any_of(mine.begin(), mine.end(), [&](const WrapCell& m) { return m.key == p.key; }));
+    EXPECT_TRUE(
+        std::any_of(mine.begin(), mine.end(), [&](const ShrinkWrapCell& m) { return m.key == p.key; }));
     EXPECT_EQ(p.units.z, -3 * p.units.x);
     sums[0] += p.units.x;
   }
   all.sum(sums);
   EXPECT_EQ(sums[0], sums[2]);
-  EXPECT_FALSE(findWrapSurface(all, grid, {}, places, edge).any);
+  EXPECT_FALSE(findShrinkWrapSurface(all, grid, {}, places, edge).any);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/oriented/population/follow_interpolant.hpp"
+#include "core/oriented/adaptive_sampling/follow_interpolant.hpp"
 
-#include "core/oriented/population/adaptive_sampling.hpp"
+#include "core/oriented/adaptive_sampling/adaptive_sampling.hpp"
 
 namespace thaw {
 namespace {

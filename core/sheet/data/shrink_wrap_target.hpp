@@ -9,20 +9,20 @@
 
 namespace thaw {
 
-enum class WrapKind : std::uint8_t { Normal, Obstacle, Continuum, Oriented, Sheet };
+enum class ShrinkWrapKind : std::uint8_t { Normal, Obstacle, Continuum, Oriented, Sheet };
 
 /// index: into the scene's obstacles, its bodies and then emitters, its oriented bodies, its sheets. Normal:
 /// the wrap acts against the sheet's own normals.
-struct WrapTarget {
-  WrapKind kind = WrapKind::Normal;
+struct ShrinkWrapTarget {
+  ShrinkWrapKind kind = ShrinkWrapKind::Normal;
   std::uint16_t index = 0;
-  bool operator==(const WrapTarget&) const = default;
+  bool operator==(const ShrinkWrapTarget&) const = default;
 };
 
 /// Returns all targets that a name of shrink_wrap_to may mean, none or several.
-std::vector<WrapTarget> wrapTargets(const Scene& scene, const std::string& name);
+std::vector<ShrinkWrapTarget> shrinkWrapTargets(const Scene& scene, const std::string& name);
 
 /// Returns the target of a sheet. Throws ShapeError if its name is unknown, ambiguous, or the sheet itself.
-WrapTarget wrapTarget(const Scene& scene, std::size_t sheet);
+ShrinkWrapTarget shrinkWrapTarget(const Scene& scene, std::size_t sheet);
 
 }  // namespace thaw

@@ -7,8 +7,8 @@
 
 namespace thaw {
 
-/// Adds the wrap forces of all sheets with a target body to both sides, and records their work; momentum is
-/// conserved.
+/// Adds the shrink-wrap forces of all sheets with a target body to both sides, and records their work;
+/// momentum is conserved.
 ///
 /// The body is represented by a point for each surface cell of the grid, the centroid of its particles there.
 /// A vertex of area A at pressure p gets the force

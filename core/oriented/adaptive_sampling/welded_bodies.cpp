@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/oriented/population/welded_bodies.hpp"
+#include "core/oriented/adaptive_sampling/welded_bodies.hpp"
 
 #include <numeric>
 
-#include "core/oriented/population/events.hpp"
+#include "core/oriented/adaptive_sampling/events.hpp"
 
 namespace thaw {
 

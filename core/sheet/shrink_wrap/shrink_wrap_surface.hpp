@@ -6,14 +6,14 @@
 namespace thaw {
 
 /// Cell of the body: total weight (mass or area) and weighted centre.
-struct WrapCell {
+struct ShrinkWrapCell {
   std::uint64_t key;
   double share;
   Vec3d middle;
 };
 
 /// Force on a cell, in integer units.
-struct WrapForce {
+struct ShrinkWrapForce {
   std::uint64_t key;
   Vec3<std::int64_t> units;
 };
@@ -21,26 +21,27 @@ struct WrapForce {
 /// Surface cells of a body. A hash assigns blocks of cells to ranks; a block's owner stores its surface and
 /// the ranks of its cells. All ranks store the bounding boxes of surface blocks, 56 bytes each. 10^9
 /// particles in a cube, 8 in a cell, have about 23,000 such blocks: 1.3 MB.
-struct WrapSurface {
+struct ShrinkWrapSurface {
   struct Listed {
-    WrapCell part;
+    ShrinkWrapCell part;
     int home;
   };
   std::vector<Listed> listed;  ///< cells of this rank's blocks with the owners of their rows; ascending by
                                ///< key
-  std::vector<WrapCell> near;  ///< cells near this rank's vertices; ascending by key
-  bool any = false;            ///< true if the body exists; the same on all ranks
+  std::vector<ShrinkWrapCell> near;  ///< cells near this rank's vertices; ascending by key
+  bool any = false;                  ///< true if the body exists; the same on all ranks
 };
 
 /// Finds the surface. cells: the body's on this rank, ascending by key. places: this rank's vertices. `near`
 /// gets for each vertex all surface cells at most `beyond` (m) farther than its nearest one. A cell is on the
 /// surface if one of its six neighbours is not the body's. Collective.
-WrapSurface findWrapSurface(Reducer& all, const CellGrid& grid, const std::vector<WrapCell>& cells,
-                            const std::vector<Vec3d>& places, double beyond);
+ShrinkWrapSurface findShrinkWrapSurface(Reducer& all, const CellGrid& grid,
+                                        const std::vector<ShrinkWrapCell>& cells,
+                                        const std::vector<Vec3d>& places, double beyond);
 
 /// Sums the forces on the cells in `near` (three units each) over all ranks. Returns those on this rank's
 /// cells, ascending by key. Collective.
-std::vector<WrapForce> reduceWrapForces(Reducer& all, const WrapSurface& surface,
-                                        const std::vector<std::int64_t>& units);
+std::vector<ShrinkWrapForce> reduceShrinkWrapForces(Reducer& all, const ShrinkWrapSurface& surface,
+                                                    const std::vector<std::int64_t>& units);
 
 }  // namespace thaw

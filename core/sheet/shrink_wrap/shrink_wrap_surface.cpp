@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/sheet/wrap/wrap_surface.hpp"
+#include "core/sheet/shrink_wrap/shrink_wrap_surface.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,12 +22,12 @@ int ownerOf(std::uint64_t block, int ranks) {
 }
 
 constexpr std::size_t wordsOfPart = 5;
-void addPart(std::vector<std::uint64_t>& words, const WrapCell& p) {
+void addPart(std::vector<std::uint64_t>& words, const ShrinkWrapCell& p) {
   words.push_back(p.key);
   addNumber(words, p.share);
   addPlace(words, p.middle);
 }
-WrapCell partAt(const std::vector<std::uint64_t>& words, std::size_t k) {
+ShrinkWrapCell partAt(const std::vector<std::uint64_t>& words, std::size_t k) {
   return {words[k], numberAt(words, k + 1), placeAt(words, k + 2)};
 }
 
@@ -35,9 +35,9 @@ const auto byKey = [](const auto& a, const auto& b) { return a.key < b.key; };
 
 /// Returns messages with cells for the owners of their blocks, and, without a share, for the owners of
 /// adjacent blocks.
-std::vector<WordStream> messagesToBlocks(const std::vector<WrapCell>& cells, int ranks) {
+std::vector<WordStream> messagesToBlocks(const std::vector<ShrinkWrapCell>& cells, int ranks) {
   WordStreams out(ranks);
-  for (const WrapCell& p : cells) {
+  for (const ShrinkWrapCell& p : cells) {
     const Vec3i c = cellOfKey(p.key);
     const std::uint64_t block = blockOf(c);
     addPart(out.to(ownerOf(block, ranks)), p);
@@ -53,8 +53,8 @@ std::vector<WordStream> messagesToBlocks(const std::vector<WrapCell>& cells, int
 }
 
 /// Returns the received cells that lie on the surface.
-std::vector<WrapSurface::Listed> surfaceOf(const std::vector<WordStream>& received) {
-  std::vector<WrapSurface::Listed> known;
+std::vector<ShrinkWrapSurface::Listed> surfaceOf(const std::vector<WordStream>& received) {
+  std::vector<ShrinkWrapSurface::Listed> known;
   for (const WordStream& l : received)
     for (std::size_t k = 0; k < l.words.size(); k += wordsOfPart)
       known.push_back({partAt(l.words, k), l.rank});
@@ -70,7 +70,7 @@ std::vector<WrapSurface::Listed> surfaceOf(const std::vector<WordStream>& receiv
                                      [](const auto& p, std::uint64_t key) { return p.part.key < key; });
     return at != known.end() && at->part.key == cellKey(c);
   };
-  std::vector<WrapSurface::Listed> surface;
+  std::vector<ShrinkWrapSurface::Listed> surface;
   for (const auto& p : known) {
     if (!(p.part.share > 0)) continue;
     const Vec3i c = cellOfKey(p.part.key);
@@ -148,10 +148,11 @@ std::vector<std::uint64_t> blocksNear(const std::vector<Block>& vertices, const 
 
 }  // namespace
 
-WrapSurface findWrapSurface(Reducer& all, const CellGrid& grid, const std::vector<WrapCell>& cells,
-                            const std::vector<Vec3d>& places, double beyond) {
+ShrinkWrapSurface findShrinkWrapSurface(Reducer& all, const CellGrid& grid,
+                                        const std::vector<ShrinkWrapCell>& cells,
+                                        const std::vector<Vec3d>& places, double beyond) {
   const int ranks = all.size();
-  WrapSurface s;
+  ShrinkWrapSurface s;
   s.listed = surfaceOf(all.sparseAllToAll(messagesToBlocks(cells, ranks)));
   const auto listedBlock = [&](std::size_t k) { return blockOf(cellOfKey(s.listed[k].part.key)); };
   const std::vector<Block> surface = gatherBlocks(
@@ -175,8 +176,8 @@ WrapSurface findWrapSurface(Reducer& all, const CellGrid& grid, const std::vecto
   return s;
 }
 
-std::vector<WrapForce> reduceWrapForces(Reducer& all, const WrapSurface& s,
-                                        const std::vector<std::int64_t>& units) {
+std::vector<ShrinkWrapForce> reduceShrinkWrapForces(Reducer& all, const ShrinkWrapSurface& s,
+                                                    const std::vector<std::int64_t>& units) {
   const int ranks = all.size();
   WordStreams back(ranks), home(ranks);
   for (std::size_t k = 0; k < s.near.size(); k++) {
@@ -187,7 +188,7 @@ std::vector<WrapForce> reduceWrapForces(Reducer& all, const WrapSurface& s,
     for (int a = 0; a < 3; a++) words.push_back(std::bit_cast<std::uint64_t>(u[a]));
   }
   const auto pullAt = [](const std::vector<std::uint64_t>& words, std::size_t k) {
-    WrapForce p{words[k], {}};
+    ShrinkWrapForce p{words[k], {}};
     for (int a = 0; a < 3; a++)
       p.units[a] = std::bit_cast<std::int64_t>(words[k + 1 + static_cast<std::size_t>(a)]);
     return p;
@@ -195,7 +196,7 @@ std::vector<WrapForce> reduceWrapForces(Reducer& all, const WrapSurface& s,
   std::vector<Vec3<std::int64_t>> sums(s.listed.size());
   for (const WordStream& l : all.sparseAllToAll(std::move(back.lists)))
     for (std::size_t k = 0; k < l.words.size(); k += 4) {
-      const WrapForce p = pullAt(l.words, k);
+      const ShrinkWrapForce p = pullAt(l.words, k);
       const auto at = std::lower_bound(s.listed.begin(), s.listed.end(), p.key,
                                        [](const auto& x, std::uint64_t key) { return x.part.key < key; });
       sums[static_cast<std::size_t>(at - s.listed.begin())] += p.units;
@@ -205,7 +206,7 @@ std::vector<WrapForce> reduceWrapForces(Reducer& all, const WrapSurface& s,
     words.push_back(s.listed[k].part.key);
     for (int a = 0; a < 3; a++) words.push_back(std::bit_cast<std::uint64_t>(sums[k][a]));
   }
-  std::vector<WrapForce> pulls;
+  std::vector<ShrinkWrapForce> pulls;
   for (const WordStream& l : all.sparseAllToAll(std::move(home.lists)))
     for (std::size_t k = 0; k < l.words.size(); k += 4) pulls.push_back(pullAt(l.words, k));
   std::sort(pulls.begin(), pulls.end(), byKey);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/oriented/population/redistribute_oriented.hpp"
+#include "core/oriented/adaptive_sampling/redistribute_oriented.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/oriented/population/blocked_sites.hpp"
+#include "core/oriented/adaptive_sampling/blocked_sites.hpp"
 
 #include <algorithm>
 #include <bit>

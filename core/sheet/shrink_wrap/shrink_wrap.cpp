@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/sheet/wrap/shrink_wrap.hpp"
+#include "core/sheet/shrink_wrap/shrink_wrap.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/geometry/trees/point_tree.hpp"
 #include "core/sheet/forces/cell_sums.hpp"
-#include "core/sheet/wrap/wrap_surface.hpp"
+#include "core/sheet/shrink_wrap/shrink_wrap_surface.hpp"
 
 namespace thaw {
 namespace {
@@ -14,43 +14,43 @@ namespace {
 constexpr double blunt = 0.2;  // least denominator of a direction, over sum w r
 
 /// Rows of a body of any type on this rank.
-struct WrapBody {
+struct ShrinkWrapBody {
   const SheetView& w;
-  WrapTarget target;
+  ShrinkWrapTarget target;
   const CellTable& cells() const {
-    return target.kind == WrapKind::Continuum  ? w.cells
-           : target.kind == WrapKind::Oriented ? w.oriented.cells
-                                               : w.sheets.cells;
+    return target.kind == ShrinkWrapKind::Continuum  ? w.cells
+           : target.kind == ShrinkWrapKind::Oriented ? w.oriented.cells
+                                                     : w.sheets.cells;
   }
   std::size_t owned() const {
-    return target.kind == WrapKind::Continuum  ? w.particles.owned
-           : target.kind == WrapKind::Oriented ? w.oriented.rows.owned
-                                               : w.sheets.rows.owned;
+    return target.kind == ShrinkWrapKind::Continuum  ? w.particles.owned
+           : target.kind == ShrinkWrapKind::Oriented ? w.oriented.rows.owned
+                                                     : w.sheets.rows.owned;
   }
   bool has(std::size_t j) const {
-    return (target.kind == WrapKind::Continuum  ? w.particles.body[j]
-            : target.kind == WrapKind::Oriented ? w.oriented.rows.body[j]
-                                                : w.sheets.rows.body[j]) == target.index;
+    return (target.kind == ShrinkWrapKind::Continuum  ? w.particles.body[j]
+            : target.kind == ShrinkWrapKind::Oriented ? w.oriented.rows.body[j]
+                                                      : w.sheets.rows.body[j]) == target.index;
   }
   Vec3d place(std::size_t j) const {
-    return target.kind == WrapKind::Continuum  ? w.particles.position[j]
-           : target.kind == WrapKind::Oriented ? w.oriented.rows.position[j]
-                                               : w.sheets.rows.position[j];
+    return target.kind == ShrinkWrapKind::Continuum  ? w.particles.position[j]
+           : target.kind == ShrinkWrapKind::Oriented ? w.oriented.rows.position[j]
+                                                     : w.sheets.rows.position[j];
   }
   /// Weight of a row in its cell: its mass, or the area of a vertex, which may be massless.
   double share(std::size_t j) const {
-    return target.kind == WrapKind::Continuum  ? w.particles.mass[j]
-           : target.kind == WrapKind::Oriented ? w.oriented.rows.mass[j]
-                                               : w.sheets.rows.area[j];
+    return target.kind == ShrinkWrapKind::Continuum  ? w.particles.mass[j]
+           : target.kind == ShrinkWrapKind::Oriented ? w.oriented.rows.mass[j]
+                                                     : w.sheets.rows.area[j];
   }
 
   void pull(std::size_t j, Vec3d force, double dt) const {
-    if (target.kind == WrapKind::Continuum) {
+    if (target.kind == ShrinkWrapKind::Continuum) {
       Continuum& p = w.particles;
       p.force[j] += force;
       // includes half of the kick of this force, approximated by the last acceleration
       if (dt > 0) w.ledger.wallWork.add(dt * dot(force, p.velocity[j] + p.acceleration[j] * (0.5 * dt)));
-    } else if (target.kind == WrapKind::Oriented) {
+    } else if (target.kind == ShrinkWrapKind::Oriented) {
       Oriented& o = w.oriented.rows;
       if (w.scene.oriented[target.index].planar) force.y = 0;
       o.force[j] += force;
@@ -65,12 +65,12 @@ struct WrapBody {
 };
 
 /// Returns its cells on this rank, ascending by key.
-std::vector<WrapCell> cellsOf(const WrapBody& body) {
-  std::vector<WrapCell> parts;
+std::vector<ShrinkWrapCell> cellsOf(const ShrinkWrapBody& body) {
+  std::vector<ShrinkWrapCell> parts;
   const CellTable& t = body.cells();
   for (std::size_t c = 0; c < t.key.size(); c++) {
     if (t.first[c] >= body.owned()) continue;
-    WrapCell p{t.key[c], 0, {}};
+    ShrinkWrapCell p{t.key[c], 0, {}};
     for (std::size_t j = t.first[c]; j < t.first[c] + t.count[c]; j++)
       if (body.has(j)) {
         p.share += body.share(j);
@@ -83,11 +83,11 @@ std::vector<WrapCell> cellsOf(const WrapBody& body) {
   return parts;
 }
 
-/// Wrap forces of one sheet on its target body.
-struct Wrap {
+/// Shrink-wrap forces of one sheet on its target body.
+struct ShrinkWrap {
   const SheetView& w;
   std::size_t sheet;
-  const std::vector<WrapCell>& parts;
+  const std::vector<ShrinkWrapCell>& parts;
   const PointTree& tree;
   double unit;  // N, unit of all forces
   double twoCells;
@@ -132,17 +132,17 @@ void wrapSheet(const SheetView& w, Halos halos, const SheetVelocities& now, std:
   const FactorsNow& factors = b.factors[n];
   const std::size_t f = placeOf(SheetFactor::ShrinkWrap);
   if (factors.now[f] == 0 && factors.most[f] == 0) return;
-  const WrapBody wrapped{w, b.plans[n].wrapTarget};
+  const ShrinkWrapBody wrapped{w, b.plans[n].shrinkWrapTarget};
   const double cell = std::max({w.grid.edge.x, w.grid.edge.y, w.grid.edge.z});
   std::vector<Vec3d> places;
   for (std::size_t i = 0; i < s.owned; i++)
     if (s.body[i] == n) places.push_back(s.position[i]);
-  const std::vector<WrapCell> cells = cellsOf(wrapped);
-  const WrapSurface surface = findWrapSurface(halos.all, w.grid, cells, places, 2 * cell);
+  const std::vector<ShrinkWrapCell> cells = cellsOf(wrapped);
+  const ShrinkWrapSurface surface = findShrinkWrapSurface(halos.all, w.grid, cells, places, 2 * cell);
   if (!surface.any) return;  // the target body is gone
-  const std::vector<WrapCell>& parts = surface.near;
+  const std::vector<ShrinkWrapCell>& parts = surface.near;
   std::vector<Vec3d> middles;
-  for (const WrapCell& p : parts) middles.push_back(p.middle);
+  for (const ShrinkWrapCell& p : parts) middles.push_back(p.middle);
   const PointTree tree(middles);
   double area = 0;
   for (const double a : b.plans[n].topology.area) area += a;
@@ -152,7 +152,7 @@ void wrapSheet(const SheetView& w, Halos halos, const SheetVelocities& now, std:
                                     largestFactor(body, SheetFactor::ShrinkWrap) / blunt))),
       -61);
   std::vector<std::int64_t> pulls(3 * parts.size(), 0);
-  Wrap wrap{w, n, parts, tree, unit, 2 * cell, pulls};
+  ShrinkWrap wrap{w, n, parts, tree, unit, 2 * cell, pulls};
   for (std::size_t i = 0; i < s.owned; i++) {
     if (s.body[i] != n) continue;
     const double pressure = body.shrinkWrap * b.laws[s.law[i]].factor[f];
@@ -166,11 +166,11 @@ void wrapSheet(const SheetView& w, Halos halos, const SheetVelocities& now, std:
     s.outside[i] += load;
   }
   const CellTable& t = wrapped.cells();
-  for (const WrapForce& p : reduceWrapForces(halos.all, surface, pulls)) {
+  for (const ShrinkWrapForce& p : reduceShrinkWrapForces(halos.all, surface, pulls)) {
     const auto c = static_cast<std::size_t>(std::lower_bound(t.key.begin(), t.key.end(), p.key) -
                                             t.key.begin());
     const double share =
-        std::lower_bound(cells.begin(), cells.end(), p.key, [](const WrapCell& x, std::uint64_t key) {
+        std::lower_bound(cells.begin(), cells.end(), p.key, [](const ShrinkWrapCell& x, std::uint64_t key) {
           return x.key < key;
         })->share;
     const Vec3d force = unit * Vec3d{static_cast<double>(p.units.x), static_cast<double>(p.units.y),
@@ -184,8 +184,8 @@ void wrapSheet(const SheetView& w, Halos halos, const SheetVelocities& now, std:
 
 void addShrinkWrap(const SheetView& w, Halos halos, const SheetVelocities& now) {
   for (std::size_t n = 0; n < w.sheets.plans.size(); n++)
-    if (const WrapKind kind = w.sheets.plans[n].wrapTarget.kind;
-        kind != WrapKind::Normal && kind != WrapKind::Obstacle)
+    if (const ShrinkWrapKind kind = w.sheets.plans[n].shrinkWrapTarget.kind;
+        kind != ShrinkWrapKind::Normal && kind != ShrinkWrapKind::Obstacle)
       wrapSheet(w, halos, now, n);
 }
 

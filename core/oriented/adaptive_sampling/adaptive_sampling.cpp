@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/oriented/population/adaptive_sampling.hpp"
+#include "core/oriented/adaptive_sampling/adaptive_sampling.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,11 +8,11 @@
 
 #include "core/halo/exchange.hpp"
 #include "core/math/hash_random.hpp"
+#include "core/oriented/adaptive_sampling/blocked_sites.hpp"
+#include "core/oriented/adaptive_sampling/follow_interpolant.hpp"
+#include "core/oriented/adaptive_sampling/ledger_row.hpp"
 #include "core/oriented/forces/oriented_forces.hpp"
 #include "core/oriented/interpolation/interpolant.hpp"
-#include "core/oriented/population/blocked_sites.hpp"
-#include "core/oriented/population/follow_interpolant.hpp"
-#include "core/oriented/population/ledger_row.hpp"
 
 namespace thaw {
 namespace {
@@ -38,8 +38,8 @@ constexpr double burst = 0.5;
 constexpr double beside = 1.65;  // spacings, range of neighbours for an open border
 // Angle (rad) between neighbours with room for one more; it is 60 degrees in a hexagonal lattice.
 constexpr double openAngle = 1.95;
-// Fraction of the thickness, for births at borders. A surface on an obstacle is pressed in by less, unless
-// bonds pull it in, as at a gap.
+// Fraction of the thickness, for births at borders. A surface on an obstacle overlaps it by less, unless
+// bonds pull it inward, as at a gap.
 constexpr double fromObstacles = 0.5;
 constexpr std::uint64_t bornBit = std::uint64_t(1) << 63;
 
@@ -65,7 +65,7 @@ bool isNeighbour(const Oriented& o, const PairPotential& p, std::size_t i, std::
 }
 
 /// Returns whether the candidate lies in a gap of width `far` between i and j, where the surface is stretched
-/// or torn. Surfaces at rest or in vibration have none: the gap's sphere or column is occupied, the ring is
+/// or torn. Surfaces at rest or in vibration have none. The gap's sphere or column is occupied, the ring is
 /// full, or a birth costs more than a bond. Particles that fly apart are not a surface.
 bool isGap(const Oriented& o, const OrientedLists& l, const PairPotential& p, std::size_t i, std::size_t j,
            const BirthCandidate& at, int leastBeside, bool planar) {
@@ -167,7 +167,7 @@ BirthCandidate candidateAtBorder(const Oriented& o, const OrientedWork& work, co
 }
 
 /// Corrects the impulse of gravity for rows that enter or leave. The ledger assumes half kicks
-/// (core/simulation/time/integrate.cpp), but oriented particles get gravity at the start of a step: a newborn
+/// (core/simulation/time/integrate.cpp), but oriented particles get gravity at the start of a step. A newborn
 /// has none of it, a removed particle all.
 void recordGravityImpulse(const OrientedView& w, std::size_t i, double time) {
   for (int a = 0; a < 3; a++)
@@ -183,7 +183,7 @@ std::vector<std::uint64_t> rankLimits(const Oriented& o, const Scene& scene,
   const std::size_t bodies = members.size();
   const auto born = [&](const std::vector<std::uint64_t>& limit) {
     std::vector<std::int64_t> n(bodies, 0);
-    for (const std::uint32_t i : parents) n[o.body[i]] += o.candidateRank[i] <= limit[o.body[i]];
+    for (const std::uint32_t i : parents) n[o.body[i]] += o.candidatePriority[i] <= limit[o.body[i]];
     all.sum(n);
     return n;
   };
@@ -248,7 +248,7 @@ std::vector<BirthCandidate> findCandidates(const OrientedView& w, Halos halos,
   std::vector<std::uint32_t> parents;
   std::vector<BirthSite> sites;
   for (std::size_t i = 0; i < o.owned; i++) {
-    o.candidateRank[i] = 0;
+    o.candidatePriority[i] = 0;
     o.candidate[i] = {};
     const OrientedBody& body = w.scene.oriented[o.body[i]];
     if (body.growth == OrientedGrowth::None || members[o.body[i]] >= body.most) continue;
@@ -262,11 +262,11 @@ std::vector<BirthCandidate> findCandidates(const OrientedView& w, Halos halos,
     const std::uint32_t i = parents[k];
     if (blocked[k]) continue;
     o.candidate[i] = candidates[i].place - o.position[i];
-    o.candidateRank[i] = 1 + (randomBits(w.scene.seed, Purpose::OrientedBirth, o.id[i],
-                                         static_cast<std::uint64_t>(w.clock.step)) >>
-                              1);
+    o.candidatePriority[i] = 1 + (randomBits(w.scene.seed, Purpose::OrientedBirth, o.id[i],
+                                             static_cast<std::uint64_t>(w.clock.step)) >>
+                                  1);
   }
-  refresh(*halos.bodyTypes[orientedType], o, ColumnList{&o.candidate, &o.candidateRank}).wait();
+  refresh(*halos.bodyTypes[orientedType], o, ColumnList{&o.candidate, &o.candidatePriority}).wait();
   return candidates;
 }
 
@@ -287,13 +287,13 @@ PopulationChange selectChanges(const OrientedView& w) {
   for (std::size_t i = 0; i < o.owned; i++) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];
     const PairPotential& p = w.work.potentials[o.body[i]];
-    bool wins = o.candidateRank[i] > 0, dies = isOffInterpolant(o, w.work, i);
+    bool wins = o.candidatePriority[i] > 0, dies = isOffInterpolant(o, w.work, i);
     const std::uint64_t own = deathRank(i);
     for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
       const std::uint32_t j = l.list[k];
       if (!sameSurface(o, i, j)) continue;
       const Vec3d r = o.position[j] - o.position[i];
-      if (wins && o.candidateRank[j] > 0 && o.candidateRank[j] < o.candidateRank[i]) {
+      if (wins && o.candidatePriority[j] > 0 && o.candidatePriority[j] < o.candidatePriority[i]) {
         const Vec3d d = r + o.candidate[j] - o.candidate[i];
         wins = dot(d, d) >= 0.81 * p.spacing * p.spacing;
       }
@@ -336,7 +336,7 @@ bool adaptSampling(const OrientedView& w, Halos halos, double dt) {
   if (std::any_of(w.scene.oriented.begin(), w.scene.oriented.end(),
                   [](const OrientedBody& b) { return b.growth != OrientedGrowth::None; })) {
     const std::vector<std::uint64_t> limit = rankLimits(o, w.scene, members, change.parents, halos.all);
-    std::erase_if(change.parents, [&](std::uint32_t i) { return o.candidateRank[i] > limit[o.body[i]]; });
+    std::erase_if(change.parents, [&](std::uint32_t i) { return o.candidatePriority[i] > limit[o.body[i]]; });
   }
   std::int64_t changed = static_cast<std::int64_t>(change.parents.size() + change.dead.size());
   halos.all.sum({&changed, 1});

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/oriented/population/events.hpp"
+#include "core/oriented/adaptive_sampling/events.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "core/oriented/population/adaptive_sampling.hpp"
-#include "core/oriented/population/redistribute_oriented.hpp"
+#include "core/oriented/adaptive_sampling/adaptive_sampling.hpp"
+#include "core/oriented/adaptive_sampling/redistribute_oriented.hpp"
 
 namespace thaw {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/oriented/population/ledger_row.hpp"
+#include "core/oriented/adaptive_sampling/ledger_row.hpp"
 
 #include "core/ledger/body_type_row.hpp"
 
