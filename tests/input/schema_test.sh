@@ -21,7 +21,7 @@ done
 while read -r file; do
   fail "$file names no schema: expected #:schema and the path of scene.schema.json in its first line"
 done < <(find "$scenes" "$source_dir/examples" -name '*.toml' -print0 | xargs -0 awk \
-  'FNR == 1 && !/^#:schema (\.\.?\/)+scene\.schema\.json$/ { print FILENAME }')
+  'FNR == 1 && !/^#:schema (\.\.?\/)+(scenes\/)?scene\.schema\.json$/ { print FILENAME }')
 
 # wrong NAME SED: a copy of a scene with an error
 wrong() { sed "$2" "$work/melt.toml" >"$work/wrong_$1.toml"; }
