@@ -261,6 +261,18 @@ def checkExport():
     bpy.context.view_layer.update()
     assert bpy.ops.export_scene.thaw(filepath=os.path.join(FOLDER, 'made.toml')) == {'FINISHED'}
     assert not os.path.exists(os.path.join(FOLDER, 'made_helper.ply'))
+    # A material that melts is complete without a heat capacity. One that does not melt has no latent heat.
+    wax.thaw.heat_capacity = ''
+    assert bpy.ops.export_scene.thaw(filepath=os.path.join(FOLDER, 'melts.toml')) == {'FINISHED'}
+    wax.thaw.young = ''
+    try:
+        bpy.ops.export_scene.thaw(filepath=os.path.join(FOLDER, 'liquid.toml'))
+    except RuntimeError as error:
+        assert "set its Young's modulus" in str(error), error
+    else:
+        raise AssertionError('a liquid that melts is accepted')
+    wax.thaw.young, wax.thaw.melts = '100 kPa', ''
+    assert bpy.ops.export_scene.thaw(filepath=os.path.join(FOLDER, 'solid.toml')) == {'FINISHED'}
 
 
 os.makedirs(FOLDER, exist_ok=True)

@@ -28,6 +28,8 @@ BLENDER_USER_SCRIPTS=$work/scripts THAW_PROGRAM=$thaw timeout 600 \
   >"$work/log" 2>&1
 expectExit 0 "the add-on"
 expectMessage 'add-on: all passed' "the add-on"
+expectMessage 'my wax melts, but its heat capacity is empty' "the export"
+expectMessage 'my wax has a latent heat, but does not melt' "the export"
 
 # A second process shows the frames: with --addons, or with the script of the file.
 renderFilm() {  # renderFilm FOLDER ARGUMENTS: frames 1 and 3 of the saved file
@@ -55,6 +57,9 @@ expectMessage 'install and enable the add-on thaw_io' "a film without the add-on
 [ -z "${PICTURES:-}" ] || cp -r "$work/pictures/." "$PICTURES"
 "$thaw" run "$work/pictures/made.toml" --steps 2 --out "$work/made" >"$work/log" 2>&1
 expectExit 0 "the written scene runs"
+for scene in melts solid; do
+  "$thaw" check "$work/pictures/$scene.toml" >"$work/log" 2>&1; expectExit 0 "check of $scene.toml"
+done
 grep -qx 'colour = "#ff0000"' "$work/pictures/made.toml" || fail "the colour of the material"
 "$thaw" check "$work/pictures/made.toml" --json >"$work/log" 2>&1; expectExit 0 "check of the written scene"
 "$python" - "$work/log" <<'PYTHON' || fail "the written scene: $(cat "$work/log")"
