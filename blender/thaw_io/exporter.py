@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 
 from . import ply
-from .properties import QUANTITIES
+from .properties import HEAT_CAPACITY, QUANTITIES
 
 
 class ExportError(Exception):
@@ -116,9 +116,23 @@ class SceneWriter:
             if given:
                 parts = [part.strip() for part in given.split(',')]
                 values[to] = parts if len(parts) > 1 else given
+        self.completeHeat(material.name, values)
         srgb = [c * 12.92 if c <= 0.0031308 else 1.055 * c ** (1 / 2.4) - 0.055 for c in colour]
         values['colour'] = '#' + ''.join(f'{round(255 * min(1, max(0, c))):02x}' for c in srgb)
         return values
+
+    def completeHeat(self, name, values):
+        """Makes the values of a material valid: melting needs a heat capacity, latent heat needs melting."""
+        if 'melts' in values and 'young' not in values:
+            raise ExportError(f"material {name} melts, so it starts as a solid: set its Young's modulus")
+        if 'melts' in values and 'heat_capacity' not in values:
+            values['heat_capacity'] = HEAT_CAPACITY
+            self.notes.append(
+                f'material {name} melts, but its heat capacity is empty: {HEAT_CAPACITY} is written'
+            )
+        if 'latent_heat' in values and 'melts' not in values:
+            del values['latent_heat']
+            self.notes.append(f'material {name} has a latent heat, but does not melt: it is not written')
 
     def body(self, thing):
         values = {'name': thing.name, 'mesh': self.mesh(thing), 'material': self.materialOf(thing)}

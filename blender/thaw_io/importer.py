@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Imports a run: surface, sheets, oriented bodies or particles over time, obstacles, camera, lights."""
+import math
 import os
 
 import bpy
@@ -12,7 +13,8 @@ def importRun(folder, *, what='automatic', field='', program='', setting=True, s
     """Adds the objects of a run. Returns the imported object and a list of notes. Raises RunError.
 
     what: automatic, surface, sheet, oriented, particles. field: for the colours of the material; empty:
-    colours of the scene. setting: also adds obstacles, camera, lights and world, and sets the frame range.
+    colours of the scene. setting: also adds obstacles, camera, lights and world, and sets the frame range
+    and the frames per second.
     """
     run = run_files.Run(folder)
     kind = run.first() if what == 'automatic' else what
@@ -20,8 +22,7 @@ def importRun(folder, *, what='automatic', field='', program='', setting=True, s
         raise run_files.RunError(f'{folder}: has no frames of {kind}; it has {", ".join(sorted(run.frames))}')
     times, scene = run.times(), run.scene()
     film = bpy.context.scene
-    spacing = (times[-1] - times[0]) / max(1, len(times) - 1)
-    rate = spacing * film.render.fps / film.render.fps_base
+    spacing, equal = spacingOf(times)
     frames = run.frames[kind]
     # Frames at the same time have the same number.
     particles = {numberOf(f): f for f in run.frames.get('particles', [])}
@@ -31,18 +32,50 @@ def importRun(folder, *, what='automatic', field='', program='', setting=True, s
         others = frames  # vertices of sheets and oriented bodies have fields of their own
     others = others if all(others) else []
     name = os.path.basename(run.folder)
-    thing = sequence.add(f'{name} {kind}', sequence.relative(files), sequence.relative(others), rate, start)
+    thing = sequence.add(
+        f'{name} {kind}', sequence.relative(files), sequence.relative(others), spacing, start
+    )
     dress(thing, kind, scene, field)
     notes = []
     if setting:
         film.frame_start, film.frame_end = start, start + len(frames) - 1
-        notes = addSetting(
+        notes = setPlayback(film, spacing, equal)
+        sequence.show(thing, film)
+        notes += addSetting(
             scene,
             lambda time: start + (time - times[0]) / (spacing or 1),
             obstacles.Meshes(lambda: run.obstacleMeshes(program), times[0]),
             run_files.fieldsOf(frames[0])[0],
         )
     return thing, notes
+
+
+def spacingOf(times):
+    """Returns the typical time between frames, s, and whether all but the last have it."""
+    gaps = sorted(b - a for a, b in zip(times, times[1:]))
+    if not gaps:
+        return 0.0, False
+    spacing = gaps[len(gaps) // 2]
+    inner = list(zip(times, times[1:]))[: max(1, len(times) - 2)]
+    return spacing, all(abs(b - a - spacing) <= 0.01 * spacing for a, b in inner)
+
+
+def setPlayback(film, spacing, equal):
+    """Sets the frames per second to real time, from 5 to 240. Returns notes."""
+    render = film.render
+    known = f'{render.fps / render.fps_base:.4g} frames per second'
+    if not equal:
+        return [f'the times of the frames are not equally spaced: they play at {known}']
+    rate = 1 / spacing
+    if not 5 <= rate <= 240:
+        return [f'the run has {rate:.4g} frames per second: they play at {known}, not in real time']
+    whole = round(rate)
+    if abs(rate - whole) < 1e-3 * rate:
+        render.fps, render.fps_base = whole, 1
+    else:
+        render.fps = math.ceil(rate)
+        render.fps_base = render.fps / rate
+    return []
 
 
 def numberOf(path):

@@ -10,6 +10,7 @@ ROLES = (
     ('DOMAIN', 'Domain', 'Its bounding box is the simulated box'),
     ('NONE', 'None', 'Not written'),
 )
+HEAT_CAPACITY = '2 kJ/(kg K)'  # written for a material that melts if its field is empty
 # Property, key of the scene, default, meaning.
 QUANTITIES = (
     ('density', 'density', '1000 kg/m^3', 'Density at rest'),
@@ -18,7 +19,7 @@ QUANTITIES = (
     ('sound_speed', 'sound_speed', '', 'About ten times the fastest flow, such as 20 m/s; empty: automatic'),
     ('surface_tension', 'surface_tension', '', 'Surface tension, such as 0.03 N/m'),
     ('melts', 'melts', '', 'Melting temperature, or solidus and liquidus: 40 degC, 60 degC; empty: none'),
-    ('heat_capacity', 'heat_capacity', '', 'Heat capacity, such as 2 kJ/(kg K)'),
+    ('heat_capacity', 'heat_capacity', '', f'Heat capacity; empty: {HEAT_CAPACITY} if the material melts'),
     ('latent_heat', 'latent_heat', '', 'Latent heat of melting, such as 30 kJ/kg'),
     ('conductivity', 'conductivity', '', 'Heat conductivity, such as 0.25 W/(m K)'),
 )
@@ -67,8 +68,15 @@ class MaterialPanel(bpy.types.Panel):
         return context.material is not None
 
     def draw(self, context):
+        settings = context.material.thaw
         for name, *_ in QUANTITIES:
-            self.layout.prop(context.material.thaw, name)
+            self.layout.prop(settings, name)
+        if settings.melts.strip() and not settings.young.strip():
+            self.layout.label(text='Melts needs Young', icon='ERROR')
+        if settings.melts.strip() and not settings.heat_capacity.strip():
+            self.layout.label(text=f'Heat capacity: {HEAT_CAPACITY}', icon='INFO')
+        if settings.latent_heat.strip() and not settings.melts.strip():
+            self.layout.label(text='Latent heat needs Melts', icon='ERROR')
 
 
 class ScenePanel(bpy.types.Panel):

@@ -9,7 +9,17 @@ from bpy.app.handlers import persistent
 
 from . import run_files
 
-FILES, PARTICLES, SHOWN, START, RATE = 'thaw_files', 'thaw_particles', 'thaw_shown', 'thaw_start', 'thaw_rate'
+FILES, PARTICLES, START, SPACING = 'thaw_files', 'thaw_particles', 'thaw_start', 'thaw_spacing'
+SHOWN, RATE = 'thaw_shown', 'thaw_rate'  # describe the present mesh
+SCRIPT = 'enable_thaw_io.py'  # the name that Blender prints if it skips the script
+SCRIPT_TEXT = '''# Meshes of thaw runs follow the frame only while the add-on is enabled.
+import addon_utils
+
+if not addon_utils.check('{module}')[1]:
+    if addon_utils.enable('{module}', handle_error=lambda error: None) is None:
+        print('thaw: WARNING: this file shows a run of thaw, and all its frames will look the same:')
+        print('thaw: WARNING: install and enable the add-on thaw_io')
+'''
 
 
 def linear(colours):
@@ -73,11 +83,12 @@ def cornerUvs(triangles, uv):
     return np.where((away > most)[..., None], corners[:, :1], corners)
 
 
-def show(thing, frame):
-    """Gives an object the geometry of a Blender frame. Reads no file if it already has it."""
+def show(thing, scene):
+    """Gives an object the geometry of the scene's frame. Reads no file if it already has it."""
     files = json.loads(thing[FILES])
-    number = min(max(frame - thing[START], 0), len(files) - 1)
-    if thing.get(SHOWN) == number:
+    number = min(max(scene.frame_current - thing[START], 0), len(files) - 1)
+    rate = thing[SPACING] * scene.render.fps / scene.render.fps_base
+    if thing.get(SHOWN) == number and thing.get(RATE) == rate:
         return
     path = bpy.path.abspath(files[number])
     if path.endswith('.ply'):
@@ -86,8 +97,8 @@ def show(thing, frame):
         vertices, triangles, fields = run_files.meshFields(path, particles)
     else:
         (vertices, fields), triangles = run_files.fieldsOf(path), []
-    fill(thing.data, vertices, triangles, fields, thing[RATE])
-    thing[SHOWN] = number
+    fill(thing.data, vertices, triangles, fields, rate)
+    thing[SHOWN], thing[RATE] = number, rate
 
 
 @persistent
@@ -95,7 +106,7 @@ def onFrame(scene, graph=None):
     for thing in scene.objects:
         if FILES in thing.keys() and thing.type == 'MESH':
             try:
-                show(thing, scene.frame_current)
+                show(thing, scene)
             except (
                 OSError,
                 ValueError,
@@ -106,13 +117,24 @@ def onFrame(scene, graph=None):
                 print(f'thaw: {thing.name}: {error}')
 
 
-def add(name, files, particles, rate, start):
-    """Adds an object that shows one of the files at each frame from `start` on."""
+def addScript():
+    """Stores a script in the .blend file, which enables the add-on where scripts may run."""
+    script = bpy.data.texts.get(SCRIPT) or bpy.data.texts.new(SCRIPT)
+    script.from_string(SCRIPT_TEXT.format(module=__package__))
+    script.use_module = True
+
+
+def add(name, files, particles, spacing, start):
+    """Adds an object that shows one of the files at each frame from `start` on.
+
+    spacing: simulated seconds between files.
+    """
     thing = bpy.data.objects.new(name, bpy.data.meshes.new(name))
     thing[FILES], thing[PARTICLES] = json.dumps(files), json.dumps(particles)
-    thing[START], thing[RATE], thing[SHOWN] = start, rate, -1
+    thing[START], thing[SPACING] = start, spacing
     bpy.context.collection.objects.link(thing)
-    show(thing, bpy.context.scene.frame_current)
+    show(thing, bpy.context.scene)
+    addScript()
     return thing
 
 

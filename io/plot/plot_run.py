@@ -16,6 +16,7 @@ import matplotlib
 matplotlib.use('Agg')
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
+from matplotlib.ticker import MaxNLocator, StrMethodFormatter  # noqa: E402
 
 COLOURS = ('#3b6ea5', '#d1495b', '#66a182', '#edae49', '#7768ae', '#8d6e63', '#00798c', '#9e9e9e')
 MOST_FRAMES = 80  # most frames that are read for the front
@@ -114,6 +115,16 @@ def change(values):
     return values - values[0]
 
 
+def drawRounding(axis, time, bound, most):
+    """Draws lines at the bound of the rounding error, or only its largest value in the legend."""
+    largest = np.nanmax(bound)
+    if largest < 0.02 * most:
+        return
+    label = 'rounding' if np.nanmin(bound) < most else f'rounding: up to {largest:.2g} %'
+    for sign, name in ((1, label), (-1, None)):
+        axis.plot(time, sign * bound, color='#888888', linewidth=0.9, linestyle=':', label=name)
+
+
 def residual(run):
     led = run.ledger
 
@@ -129,14 +140,13 @@ def residual(run):
     def draw(axis):
         time = run.clock(led['time_s'])
         axis.axhline(0, color='#bbbbbb', linewidth=0.8)
-        if np.nanmax(bound) > 0.02 * np.nanmax(np.abs(energy)):
-            axis.fill_between(time, -bound, bound, color='#dddddd', linewidth=0, label='rounding')
-        axis.plot(time, energy, color=COLOURS[0], linewidth=1.6, label='energy')
-        if changes(of_heat):
-            axis.plot(time, of_heat, color=COLOURS[1], linewidth=1.6, label='heat')
         drawn = np.concatenate((energy, of_heat))
         most = 1.2 * np.nanmax(np.abs(drawn)) or 1
         axis.set_ylim(-most, most)
+        drawRounding(axis, time, bound, most)
+        axis.plot(time, energy, color=COLOURS[0], linewidth=1.6, label='energy')
+        if changes(of_heat):
+            axis.plot(time, of_heat, color=COLOURS[1], linewidth=1.6, label='heat')
         axis.set_title('unexplained energy, relative to the largest term of the ledger')
         axis.set_ylabel('%')
         axis.legend(fontsize=8, frameon=False, ncols=3)
@@ -184,7 +194,12 @@ def particles(run):
         return None
 
     def draw(axis):
-        drawLines(axis, run.clock, led['time_s'], lines, '')
+        for (name, values), colour in zip(lines, COLOURS):
+            axis.plot(run.clock(led['time_s']), values, color=colour, label=name, linewidth=1.6)
+        if len(lines) > 1:
+            axis.legend(fontsize=8, frameon=False, ncols=2)
+        axis.yaxis.set_major_locator(MaxNLocator(nbins=6, integer=True))
+        axis.yaxis.set_major_formatter(StrMethodFormatter('{x:,.0f}'))
         axis.set_title('number of ' + ', '.join(name for name, _ in lines))
 
     return draw

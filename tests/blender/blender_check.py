@@ -64,7 +64,8 @@ def checkSurface():
     first = height()
     scene.frame_set(3)
     assert height().min() < first.min() - 0.001, 'the surface does not fall'
-    # A frame of the run lasts 50 ms, one of the film 1/24 s.
+    # Frames of the run are 50 ms apart, and the film plays in real time.
+    assert (scene.render.fps, scene.render.fps_base) == (20, 1), (scene.render.fps, scene.render.fps_base)
     speed = values(thing.data, 'velocity', 3)
     assert (speed[:, 2].mean() < 0) and 0.1 < abs(speed[:, 2].mean()) < 5
     # Faster playback lengthens the blur: the upper half of the picture, where the bust falls, has soft edges.
@@ -72,6 +73,12 @@ def checkSurface():
     assert sharp.std() > 0.015, sharp.std()
     edge = lambda p: np.abs(np.diff(p[60:].mean(axis=2), axis=0)).max()  # noqa: E731
     assert np.abs(sharp - soft).max() > 0.1 and edge(soft) < edge(sharp), (edge(soft), edge(sharp))
+    # Velocities follow the frames per second.
+    scene.render.fps = 40
+    scene.frame_set(3)
+    assert np.allclose(values(thing.data, 'velocity', 3), 2 * speed), 'not the frames per second'
+    scene.render.fps = 20
+    scene.frame_set(3)
     # The handler works after saving and loading.
     bpy.ops.wm.save_as_mainfile(filepath=os.path.join(FOLDER, 'film.blend'))
     bpy.ops.wm.open_mainfile(filepath=os.path.join(FOLDER, 'film.blend'))
@@ -79,6 +86,25 @@ def checkSurface():
     before = len(thing.data.vertices)
     bpy.context.scene.frame_set(1)
     assert len(thing.data.vertices) != before, 'the handler is lost with the file'
+
+
+def checkPlayback():
+    fresh()
+    from thaw_io import importer
+
+    film = bpy.context.scene
+
+    def played(times):
+        film.render.fps, film.render.fps_base = 24, 1
+        notes = importer.setPlayback(film, *importer.spacingOf(times))
+        return film.render.fps, film.render.fps_base, len(notes)
+
+    assert played([0, 0.04, 0.08, 0.12]) == (25, 1, 0)
+    assert played([0, 0.04, 0.08, 0.1]) == (25, 1, 0), 'the last frame at the end of the run'
+    fps, base, notes = played([0, 0.08, 0.16])
+    assert abs(fps / base - 12.5) < 1e-4 and notes == 0, (fps, base)
+    for times in ([0, 0.04, 0.1, 0.12], [0, 1e-3, 2e-3], [0, 1, 2], [0]):
+        assert played(times) == (24, 1, 1), times
 
 
 def checkParticles():
@@ -235,12 +261,25 @@ def checkExport():
     bpy.context.view_layer.update()
     assert bpy.ops.export_scene.thaw(filepath=os.path.join(FOLDER, 'made.toml')) == {'FINISHED'}
     assert not os.path.exists(os.path.join(FOLDER, 'made_helper.ply'))
+    # A material that melts is complete without a heat capacity. One that does not melt has no latent heat.
+    wax.thaw.heat_capacity = ''
+    assert bpy.ops.export_scene.thaw(filepath=os.path.join(FOLDER, 'melts.toml')) == {'FINISHED'}
+    wax.thaw.young = ''
+    try:
+        bpy.ops.export_scene.thaw(filepath=os.path.join(FOLDER, 'liquid.toml'))
+    except RuntimeError as error:
+        assert "set its Young's modulus" in str(error), error
+    else:
+        raise AssertionError('a liquid that melts is accepted')
+    wax.thaw.young, wax.thaw.melts = '100 kPa', ''
+    assert bpy.ops.export_scene.thaw(filepath=os.path.join(FOLDER, 'solid.toml')) == {'FINISHED'}
 
 
 os.makedirs(FOLDER, exist_ok=True)
 bpy.ops.preferences.addon_install(filepath=ZIP)
 try:
     checkSurface()
+    checkPlayback()
     checkParticles()
     checkMeshObstacles()
     checkObstacleLooks()

@@ -12,7 +12,7 @@ schema=$scenes/scene.schema.json
 "$thaw" docs --schema >"$work/scene.schema.json"; expectExit 0 "thaw docs --schema"
 cmp -s "$work/scene.schema.json" "$schema" ||
   fail "it is out of date; write it with: thaw docs --schema > scenes/scene.schema.json"
-mapfile -t files < <(find "$scenes" "$source_dir/benchmarks" -name '*.toml')
+mapfile -t files < <(find "$scenes" "$source_dir/benchmarks" "$source_dir/examples" -name '*.toml')
 [ "${#files[@]}" -ge 70 ] || fail "only ${#files[@]} scenes"
 for kind in melt drop dam sheet oriented; do
   "$thaw" new "$work/$kind" --kind "$kind" --schema >"$work/log" || fail "thaw new --kind $kind"
@@ -20,8 +20,8 @@ for kind in melt drop dam sheet oriented; do
 done
 while read -r file; do
   fail "$file names no schema: expected #:schema and the path of scene.schema.json in its first line"
-done < <(find "$scenes" -name '*.toml' -print0 | xargs -0 awk \
-  'FNR == 1 && !/^#:schema (\.\.?\/)+scene\.schema\.json$/ { print FILENAME }')
+done < <(find "$scenes" "$source_dir/examples" -name '*.toml' -print0 | xargs -0 awk \
+  'FNR == 1 && !/^#:schema (\.\.?\/)+(scenes\/)?scene\.schema\.json$/ { print FILENAME }')
 
 # wrong NAME SED: a copy of a scene with an error
 wrong() { sed "$2" "$work/melt.toml" >"$work/wrong_$1.toml"; }
