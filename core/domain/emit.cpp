@@ -248,7 +248,7 @@ std::vector<EmitterPlan> planEmitters(const Scene& s) {
 std::string misplacedOpening(const Scene& s, const Walls& walls, const Emitter& e, const EmitterPlan& plan) {
   const auto all = static_cast<std::int64_t>(plan.layer.size());
   Outside opening;
-  for (const Vec3d& x : plan.layer) opening.look(s.domain, x, s.spacing);
+  for (const Vec3d& x : plan.layer) opening.look(s.domain, x);
   if (opening.count > 0)
     return "emitter '" + e.name +
            "': " + outsideText(opening, s.domain, all, "positions of a layer", "emitter");

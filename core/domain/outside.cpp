@@ -7,11 +7,8 @@
 
 namespace thaw {
 
-bool Outside::look(const Domain& d, const Vec3d& x, double spacing) {
-  const double rounding = 1e-9 * spacing;
-  bool outside = false;
-  for (int a = 0; a < 3; a++) outside |= !(x[a] >= d.min[a] - rounding && x[a] <= d.max[a] + rounding);
-  if (!outside) return false;
+bool Outside::look(const Domain& d, const Vec3d& x) {
+  if (d.holds(x)) return false;
   count++;
   for (int a = 0; a < 3; a++) {
     if (x[a] < d.min[a]) beyond[a][0] = std::max(beyond[a][0], d.min[a] - x[a]);

@@ -13,8 +13,8 @@ struct Outside {
   std::int64_t count = 0;
   double beyond[3][2] = {{-1, -1}, {-1, -1}, {-1, -1}};  ///< m, [axis][low, high], distance of the farthest
                                                          ///< position; below 0: none
-  /// Records a position if it is outside by more than rounding; returns true if it is. spacing: m.
-  bool look(const Domain& domain, const Vec3d& x, double spacing);
+  /// Records a position if it is outside; returns true if it is.
+  bool look(const Domain& domain, const Vec3d& x);
 };
 
 /// Sums each element over all ranks. Collective.

@@ -214,7 +214,7 @@ std::vector<SampledParticle> particlesOf(const SampledPoints& sampled, Constrain
 void refuseOutside(const Scene& scene, const OrientedBody& body, const std::vector<Vec3d>& places,
                    SceneProblems& problems) {
   Outside outside;
-  for (const Vec3d& x : places) outside.look(scene.domain, x, scene.spacing);
+  for (const Vec3d& x : places) outside.look(scene.domain, x);
   if (outside.count > 0)
     problems.add(body.where, "oriented body '" + body.name + "': " +
                                  outsideText(outside, scene.domain, static_cast<std::int64_t>(places.size()),

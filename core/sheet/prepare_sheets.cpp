@@ -62,7 +62,7 @@ void sampleSheets(SheetBodies& sheets, const Scene& scene, Halos halos, const Me
     const std::size_t all = plan.mesh.vertices.size(), begin = all * rank / ranks,
                       end = all * (rank + 1) / ranks;
     Outside outside;
-    for (const Vec3d& x : plan.mesh.vertices) outside.look(scene.domain, x, scene.spacing);
+    for (const Vec3d& x : plan.mesh.vertices) outside.look(scene.domain, x);
     if (outside.count > 0)
       problems.add(b.where, "sheet '" + b.name + "': " +
                                 outsideText(outside, scene.domain, static_cast<std::int64_t>(all), "vertices",

@@ -144,7 +144,7 @@ mass = 0.5
 shrink_wrap = 5
 shrink_wrap_to = "net"
 repulsion = 2
-push_in_time = [[0, 0], [0.1, 1]]
+repulsion_in_time = [[0, 0], [0.1, 1]]
 place = { move = [0, 0, -0.45] }
 [[sheet]]
 name = "beside"

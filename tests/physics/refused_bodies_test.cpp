@@ -43,8 +43,6 @@ TEST(Sheets, VerticesOutsideAndEmptyRegionsAreRefused) {
   s.sheets[0].regions.emplace_back().shape = far;
   EXPECT_NE(problemOf(s).find("no vertex lies in this region"), std::string::npos) << problemOf(s);
   s.sheets[0].regions.clear();
-  s.sheets[0].shape.move = {0.75 * (1 + 1e-15), 0, 0};  // rounding does not count
-  EXPECT_EQ(problemOf(s), "");
   s.sheets[0].shape.move = {1, 0, 0};
   EXPECT_NE(
       problemOf(s).find(

@@ -33,8 +33,7 @@ constexpr std::size_t codes = 65536;
 /// x: position of a sample, wrapped into the domain.
 void checkSample(const Scene& scene, const Walls& walls, std::size_t body, const Vec3d& x,
                  MisplacedSamples& o) {
-  if (o.outside[body].look(scene.domain, x, scene.spacing))
-    return;  // a wall side is an obstacle as well: report it once
+  if (o.outside[body].look(scene.domain, x)) return;  // a wall side is an obstacle as well: report it once
   for (std::size_t k = 0; k < walls.list.size(); k++) {
     if (!holdsSample(walls.list[k], x, scene.spacing)) continue;
     o.inObstacles++;
