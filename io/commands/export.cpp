@@ -66,17 +66,18 @@ void addExportOptions(CLI::App& command, ExportOptions& o) {
       .add_option("--threads", o.threads,
                   "frames at a time, or components of one frame (default: one per core)")
       ->check(CLI::Range(0, 4096));
-  command.add_flag("--uv", o.uv,
-                   "texture coordinates of a surface, from the meshes of its bodies (ply, obj, vtp, usd, "
-                   "vtkhdf, bgeo)");
+  command.add_flag(
+      "--uv", o.uv,
+      "texture coordinates of a surface, from the meshes of its bodies; only for ply, obj, vtp, usd, "
+      "usda, vtkhdf and bgeo: vdb and html have none");
   command.add_flag("--mesh", o.mesh, "vtp: closed meshes of a surface instead of its surfels");
   command.add_flag("--resume", o.resume,
                    "skip files that are complete: they exist and are newer than their frames");
   command
       .add_option(
           "--size", o.size,
-          "html: largest size of the page, such as 800kB or 20MB; tensors, frames and points are left out "
-          "to stay within it")
+          "html: largest size of the page, at least 1MB, such as 5MB or 20MB; tensors, frames and points "
+          "are left out to stay within it")
       ->capture_default_str();
 }
 
@@ -86,7 +87,7 @@ int exportCommand(const ExportOptions& options) {
     if (options.uv && !format.keepsUv)
       throw std::invalid_argument(
           "--uv: '" + options.as +
-          "' has no texture coordinates; expected --as ply, obj, vtp, usd, usda, vtkhdf "
+          "' has no texture coordinates: leave out --uv; expected --as ply, obj, vtp, usd, usda, vtkhdf "
           "or bgeo");
     if (options.mesh && options.as != "vtp")
       throw std::invalid_argument("--mesh applies to --as vtp; expected vtp, got " + options.as);

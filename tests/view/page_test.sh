@@ -19,9 +19,12 @@ inBrowser page "left out of this page"
 "$thaw" export "$work/dam" --as html --size 1kB >"$work/log" 2>&1
 expectExit 3 "a budget below the page itself"
 expectMessage "too small" "a budget below the page itself"
+least=$(sed -n 's/.*choose --size \([0-9.]*MB\) or more.*/\1/p' "$work/log")
+"$thaw" export "$work/dam" --as html --size "${least:-0}" --out "$work/least.html" >"$work/log" 2>&1
+expectExit 0 "the least size that the message names"
 "$thaw" export "$work/dam" --as html --size large >"$work/log" 2>&1
 expectExit 2 "a size that is none"
-expectMessage "expected a size such as 800kB or 20MB, got large" "a size that is none"
+expectMessage "expected a size such as 5MB or 20MB, got large" "a size that is none"
 "$thaw" export "$work/dam" --as html --what surface >"$work/log" 2>&1
 expectExit 2 "--what with a page"
 "$thaw" export "$work/none" --as html >"$work/log" 2>&1

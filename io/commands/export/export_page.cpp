@@ -59,7 +59,7 @@ std::uint64_t bytesOfText(const std::string& text) {
                         : unit == "GB"              ? 1e9
                                                     : 0;
   if (end == text.c_str() || factor == 0 || !(number > 0) || !(number * factor < 1e15))
-    throw std::invalid_argument("--size: expected a size such as 800kB or 20MB, got " + text);
+    throw std::invalid_argument("--size: expected a size such as 5MB or 20MB, got " + text);
   return static_cast<std::uint64_t>(std::llround(number * factor));
 }
 

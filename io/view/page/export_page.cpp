@@ -151,6 +151,14 @@ std::uint64_t estimate(const Encoded& sample, const Thinning& t) {
   return sample.bytes * kept / std::min(samples, count);
 }
 
+/// Returns the estimated bytes of the frames in the smallest page.
+std::uint64_t leastOfFrames(const Source& from) {
+  Thinning t;
+  Encoded sample = encodeSamples(from, t);
+  while (thinFurther(sample.sizes, t)) sample = encodeSamples(from, t);
+  return estimate(sample, t);
+}
+
 std::string sizeText(std::uint64_t bytes) {
   const auto b = static_cast<double>(bytes);
   return b < 1e6 ? fmt::format("{:.0f} kB", b / 1e3) : fmt::format("{:.3g} MB", b / 1e6);
@@ -215,9 +223,12 @@ void exportPage(const PageExport& q) {
   std::uint64_t fixed = 4096;  // bytes of the page without frames
   fixed += pageText("", about(from, from.list.frames, "")).size();
   const auto refuse = [&] {
-    throw IoError(q.file.string(), fmt::format("a size of {} is too small: the page needs {} without frames; "
-                                               "choose a larger --size",
-                                               sizeText(q.budget), sizeText(fixed)));
+    // The frames are estimated from samples, hence a tenth more.
+    const double least = 1.1 * static_cast<double>(leastOfFrames(from)) + static_cast<double>(fixed);
+    throw IoError(q.file.string(),
+                  fmt::format("a size of {} is too small: the page needs {} without frames; "
+                              "choose --size {:.1f}MB or more",
+                              sizeText(q.budget), sizeText(fixed), std::ceil(least / 1e5) / 10));
   };
   if (fixed >= q.budget) refuse();
   const std::uint64_t bytes = q.budget - fixed;
