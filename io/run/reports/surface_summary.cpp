@@ -16,6 +16,45 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t mostEvents = 1000, mostLines = 8;  // last events in the summary (events.csv has all);
                                                          // components at the end
 
+/// A count of events that a picture may show if they are frequent.
+struct Correction {
+  double share, visible;  ///< share of surfels or updates, and the share from which it is a warning
+  std::string text;
+  const char* advice;
+
+  bool isMinor() const { return share < visible; }
+};
+
+/// Returns the corrections that occurred. The number of surfels stands for that of all updates.
+std::vector<Correction> correctionsOf(const SurfaceSummary& s) {
+  const SurfaceCounters& c = s.counters;
+  const auto updates = static_cast<double>(std::max<std::int64_t>(1, c.updates));
+  const double surfels = updates * static_cast<double>(std::max<std::int64_t>(1, s.surfels));
+  const double lost = static_cast<double>(c.lost) / surfels,
+               flipped = static_cast<double>(c.flipped) / surfels,
+               unfinished = static_cast<double>(c.unfinished) / updates;
+  std::vector<Correction> found;
+  if (c.lost > 0)
+    found.push_back({lost, 0.002,
+                     fmt::format("{} surfels ({:.2g} % per update) had no particles nearby and were deleted",
+                                 c.lost, 100 * lost),
+                     ": pictures may show holes; a finer `spacing` or more frequent updates "
+                     "(`surface.every_move`) help"});
+  if (c.flipped > 0)
+    found.push_back({flipped, 0.02,
+                     fmt::format("{} surfel normals ({:.2g} % per update) pointed inward and were reversed",
+                                 c.flipped, 100 * flipped),
+                     ": pictures may show dents where the material is thin; a finer `spacing` helps"});
+  if (c.unfinished > 0)
+    found.push_back(
+        {unfinished, 0.05,
+         fmt::format("{} of {} updates of the surface ended at `surface.iterations` while surfels still "
+                     "moved",
+                     c.unfinished, c.updates),
+         ": if pictures show bumps, set more `surface.iterations`"});
+  return found;
+}
+
 }  // namespace
 
 Json surfaceJson(const SurfaceSummary& s) {
@@ -71,6 +110,8 @@ std::vector<std::string> surfaceLines(const SurfaceSummary& s) {
                           1e3 * s.phases[k] / static_cast<double>(s.updatesHere));
     lines.push_back(line);
   }
+  for (const Correction& correction : correctionsOf(s))
+    if (correction.isMinor()) lines.push_back("  " + correction.text + ": usually not visible");
   for (const std::string& line : volumeErrorLines(s.volumeErrors)) lines.push_back(line);
   std::vector<SurfaceComponent> largest = s.components;
   std::stable_sort(largest.begin(), largest.end(), [](const SurfaceComponent& a, const SurfaceComponent& b) {
@@ -118,14 +159,11 @@ std::vector<std::string> pieceWarnings(const Scene& scene, const std::vector<Bod
 
 std::vector<std::string> surfaceWarnings(const SurfaceSummary& s) {
   std::vector<std::string> w;
-  const auto add = [&](std::int64_t n, const char* what) {
-    if (n > 0) w.push_back(fmt::format("{} {}", n, what));
-  };
-  add(s.counters.lost, "surfels had no particles nearby and were deleted");
-  add(s.counters.flipped, "surfel normals pointed inward and were reversed");
-  add(s.counters.capped, "updates of the surface reached their limit of births and deaths");
-  add(s.counters.unfinished,
-      "updates of the surface ended at `surface.iterations` while surfels still moved");
+  for (const Correction& c : correctionsOf(s))
+    if (!c.isMinor()) w.push_back(c.text + c.advice);
+  if (s.counters.capped > 0)
+    w.push_back(
+        fmt::format("{} updates of the surface reached their limit of births and deaths", s.counters.capped));
   if (const std::string line = volumeErrorWarning(s.volumeErrors); s.keepsVolume && !line.empty())
     w.push_back(line);
   return w;
