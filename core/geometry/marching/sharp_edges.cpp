@@ -178,7 +178,7 @@ std::vector<SurfacePoint> projectedVertices(const TriangleMesh& mesh, const Sign
 
 }  // namespace
 
-TriangleMesh withSharpEdges(TriangleMesh mesh, const SignedDistance& shape, double spacing) {
+TriangleMesh withSharpEdges(const TriangleMesh& mesh, const SignedDistance& shape, double spacing) {
   std::vector<SurfacePoint> points = projectedVertices(mesh, shape, spacing);
   moveOntoEdges(mesh, points, spacing, nearEnd);
   const std::map<MeshSide, std::uint32_t> divided = divideSides(mesh, points, spacing);

@@ -13,7 +13,7 @@ namespace thaw {
 /// normals turn by more than 30 degrees. Points on edges are where the tangent planes at both ends of a
 /// triangle's side meet; corners are where three meet (KBSS01). Closed meshes stay closed. spacing: m, edge
 /// of the cubes.
-TriangleMesh withSharpEdges(TriangleMesh mesh, const SignedDistance& shape, double spacing);
+TriangleMesh withSharpEdges(const TriangleMesh& mesh, const SignedDistance& shape, double spacing);
 
 /// As withSharpEdges, but moves the nearer end of each side onto the edge and divides none. Returns 0 for
 /// each vertex on a face, 1 on an edge, 2 at a corner.
