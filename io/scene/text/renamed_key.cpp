@@ -21,7 +21,7 @@ std::string renamedKey(const std::string& former, const std::set<std::string>& k
   const bool varies = former.ends_with(inTime);
   const std::string stem = varies ? former.substr(0, former.size() - inTime.size()) : former;
   for (const RenamedKey& k : renamedKeys) {
-    const std::string name = k.name + (varies ? inTime : "");
+    std::string name = k.name + (varies ? inTime : "");
     if (stem == k.former && known.contains(name)) return name;
   }
   return {};
