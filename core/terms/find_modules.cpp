@@ -108,8 +108,8 @@ void findPhases(Finder& f) {
   const Scene& s = f.s;
   Modules& m = f.m;
   const auto source = [&](const auto& from, const std::string& who) {
-    const Material& x = s.materials[static_cast<std::size_t>(from.material)];
-    const bool either = from.temperatureField && x.canBeSolid() && x.melts();
+    const Material& x = materialOf(s, from);
+    const bool either = mayStartInEitherPhase(s, from);
     if (mayStartSolid(s, from)) f.on(&Modules::solid, who + (either ? " can be solid" : " is solid"));
     if (either || liquidAt(x, from.temperature))
       f.on(m.fluid, "fluid", who + (either ? " can be liquid" : " is liquid"));

@@ -203,12 +203,6 @@ TriangleMesh unplaced(const Shape& s, double sag, const MeshLoader& load) {
   return shapeMesh(s, sag, load);
 }
 
-void append(TriangleMesh& to, const TriangleMesh& m) {
-  const auto first = static_cast<std::uint32_t>(to.vertices.size());
-  to.vertices.insert(to.vertices.end(), m.vertices.begin(), m.vertices.end());
-  for (const auto& t : m.triangles) to.triangles.push_back({first + t[0], first + t[1], first + t[2]});
-}
-
 /// Returns the smallest angle (rad) of a polygon as a fan around a corner.
 double fanAngle(const std::vector<Vec3d>& x, std::size_t from) {
   double least = pi;
@@ -221,12 +215,12 @@ double fanAngle(const std::vector<Vec3d>& x, std::size_t from) {
 
 TriangleMesh evenShapeMesh(const Shape& s, double sag, const MeshLoader& load) {
   if (s.kind == ShapeKind::Mesh) return shapeMesh(s, sag, load);
-  const Shape bare = withoutPlacement(s);
-  const Placement p = placementOf(s, makeSignedDistance(bare, load));
+  const Shape atOrigin = withoutPlacement(s);
+  const Placement p = placementOf(s, makeSignedDistance(atOrigin, load));
   TriangleMesh m;
   if (s.kind == ShapeKind::Union)
-    for (const Shape& part : s.parts) append(m, evenShapeMesh(part, sag / p.scale, load));
-  else m = unplaced(bare, sag / p.scale, load);
+    for (const Shape& part : s.parts) appendTriangles(m, evenShapeMesh(part, sag / p.scale, load));
+  else m = unplaced(atOrigin, sag / p.scale, load);
   for (Vec3d& v : m.vertices) v = p.move + p.rotation * (p.scale * v);
   return m;
 }

@@ -9,8 +9,8 @@
 namespace thaw {
 
 /// As shapeMesh, without slivers: faces of boxes, cylinders and glasses are divided, and balls are divided
-/// icosahedra. Angles are at least 15 degrees, unless a part is more than 500 times thinner than long. Meshes
-/// of files stay as they are. Requires: no difference or intersection.
+/// icosahedra. Angles are at least 15 degrees, unless a part is more than 500 times thinner than long.
+/// Meshes of files stay as they are. Requires: no difference or intersection.
 TriangleMesh evenShapeMesh(const Shape& shape, double sag, const MeshLoader& load);
 
 /// Returns a convex polygon as triangles. Rectangles are divided for angles of at least 15 degrees.

@@ -15,8 +15,7 @@ inline double steepnessOf(const FlowLawSettings& s) { return rowOf(s.law).steepn
 bool hasLeastRate(FlowLaw law);
 /// Returns true if a coefficient is a table by temperature.
 bool dependsOnTemperature(const FlowLawSettings& settings);
-/// Declares the keys of [material.NAME.flow]. Refuses keys that the law does not have, and requires those
-/// that it needs.
+/// Declares the keys of [material.NAME.flow]. Refuses keys that the law does not have, and requires its own.
 void readFlowLaw(KeyTable& keys, FlowLawSettings& settings);
 
 /// Shear rate (1/s) below which yield stress and power laws are regularised. It is that of the material, or

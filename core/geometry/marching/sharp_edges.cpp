@@ -74,8 +74,7 @@ MeshSide sideOf(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std:
 
 /// Moves the nearer end of a side onto the edge that it crosses, if that end is within a fraction of the
 /// side.
-void moveOntoEdges(const TriangleMesh& mesh, std::vector<SurfacePoint>& points, double spacing,
-                   double fraction) {
+void moveEnds(const TriangleMesh& mesh, std::vector<SurfacePoint>& points, double spacing, double fraction) {
   for (const auto& t : mesh.triangles)
     for (std::size_t k = 0; k < 3; k++) {
       SurfacePoint &a = points[t[k]], &b = points[t[(k + 1) % 3]];
@@ -180,7 +179,7 @@ std::vector<SurfacePoint> projectedVertices(const TriangleMesh& mesh, const Sign
 
 TriangleMesh withSharpEdges(const TriangleMesh& mesh, const SignedDistance& shape, double spacing) {
   std::vector<SurfacePoint> points = projectedVertices(mesh, shape, spacing);
-  moveOntoEdges(mesh, points, spacing, nearEnd);
+  moveEnds(mesh, points, spacing, nearEnd);
   const std::map<MeshSide, std::uint32_t> divided = divideSides(mesh, points, spacing);
   const auto on = [&](std::uint32_t a, std::uint32_t b) -> std::optional<std::uint32_t> {
     const auto found = divided.find(sideOf(a, b));
@@ -196,7 +195,7 @@ TriangleMesh withSharpEdges(const TriangleMesh& mesh, const SignedDistance& shap
 
 std::vector<std::uint8_t> moveOntoEdges(TriangleMesh& mesh, const SignedDistance& shape, double spacing) {
   std::vector<SurfacePoint> points = projectedVertices(mesh, shape, spacing);
-  moveOntoEdges(mesh, points, spacing, 1);
+  moveEnds(mesh, points, spacing, 1);
   moveToCorners(mesh, points, spacing);
   std::vector<std::uint8_t> onEdge;
   for (std::size_t k = 0; k < points.size(); k++) {

@@ -11,8 +11,8 @@ namespace thaw {
 
 /// Projects the vertices of a marched surface onto the shape, and divides triangles along its edges, where
 /// normals turn by more than 30 degrees. Points on edges are where the tangent planes at both ends of a
-/// triangle's side meet; corners are where three meet (KBSS01). Closed meshes stay closed. spacing: m, edge
-/// of the cubes.
+/// triangle's side meet; corners are where three meet (KBSS01). Closed meshes stay closed.
+/// spacing: edge (m) of the cubes.
 TriangleMesh withSharpEdges(const TriangleMesh& mesh, const SignedDistance& shape, double spacing);
 
 /// As withSharpEdges, but moves the nearer end of each side onto the edge and divides none. Returns 0 for

@@ -40,15 +40,6 @@ Outline arc(double middle, double radius, double from, double to, int n) {
   return o;
 }
 
-void append(TriangleMesh& to, const TriangleMesh& m, bool turned) {
-  const auto first = static_cast<std::uint32_t>(to.vertices.size());
-  to.vertices.insert(to.vertices.end(), m.vertices.begin(), m.vertices.end());
-  for (auto t : m.triangles) {
-    if (turned) std::swap(t[1], t[2]);
-    to.triangles.push_back({first + t[0], first + t[1], first + t[2]});
-  }
-}
-
 TriangleMesh boxOf(const Vec3d& size) {
   TriangleMesh m;
   for (int k = 0; k < 8; k++)
@@ -111,7 +102,7 @@ TriangleMesh unplaced(const Shape& s, double sag, const Ball& seen, const MeshLo
   }
   TriangleMesh all;
   for (std::size_t k = 0; k < s.parts.size(); k++)
-    append(all, placedParts(s.parts[k], sag, seen, load), s.kind == ShapeKind::Difference && k > 0);
+    appendTriangles(all, placedParts(s.parts[k], sag, seen, load), s.kind == ShapeKind::Difference && k > 0);
   return all;
 }
 
@@ -125,6 +116,15 @@ TriangleMesh placedParts(const Shape& s, double sag, const Ball& seen, const Mes
 }
 
 }  // namespace
+
+void appendTriangles(TriangleMesh& to, const TriangleMesh& m, bool turned) {
+  const auto first = static_cast<std::uint32_t>(to.vertices.size());
+  to.vertices.insert(to.vertices.end(), m.vertices.begin(), m.vertices.end());
+  for (auto t : m.triangles) {
+    if (turned) std::swap(t[1], t[2]);
+    to.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  }
+}
 
 Shape withoutPlacement(Shape s) {
   s.scale = 1;

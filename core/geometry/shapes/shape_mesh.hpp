@@ -17,6 +17,9 @@ TriangleMesh shapeMesh(const Shape& shape, double sag, const MeshLoader& load);
 /// Returns the shape in its own frame.
 Shape withoutPlacement(Shape shape);
 
+/// Appends the triangles of another mesh, with their inside out if turned.
+void appendTriangles(TriangleMesh& to, const TriangleMesh& mesh, bool turned = false);
+
 /// Revolves an outline about z in `around` steps; corners on the axis are one vertex. closed: joins the last
 /// point to the first. The solid is on the left of the outline (RevolvedDistance).
 TriangleMesh revolvedMesh(const std::vector<RevolvedDistance::Point>& outline, bool closed, int around);

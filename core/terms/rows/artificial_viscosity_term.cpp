@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/terms/rows/liquid_uses.hpp"
+#include "core/terms/material_uses.hpp"
 #include "core/terms/terms.hpp"
 
 namespace thaw {
@@ -17,7 +17,7 @@ void readArtificialViscosity(KeyTable& keys, Material& m) {
 }
 
 std::vector<ModuleUse> usesOfArtificialViscosity(const Scene& s, const Modules& m) {
-  return usesByLiquids(s, m, &Modules::artificialViscosity,
+  return usesByLiquids(s, m, &Modules::artificialViscosity, {},
                        [](const Material& x) { return x.artificialViscosity > 0; });
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Conduction of heat, whose sum is part of that of pressures (core/fluid/terms/conduction.hpp), and contact
 // conductance (core/heat/contact_heat.hpp).
-#include "core/scene/material_use.hpp"
+#include "core/terms/material_uses.hpp"
 #include "core/terms/rows/temperature_uses.hpp"
 #include "core/terms/terms.hpp"
 
@@ -53,15 +53,10 @@ std::vector<ModuleUse> heatOfConduction(const Scene& s) {
 }
 
 std::vector<ModuleUse> usesOfConductance(const Scene& s, const Modules& m) {
-  std::vector<ModuleUse> uses;
-  if (!m.heat) return uses;
-  for (std::size_t k = 0; k < s.materials.size(); k++) {
-    const Material& x = s.materials[k];
-    if (inUse(s, k) && x.contactConductance < never && s.bodies.size() + s.emitters.size() > 1)
-      uses.push_back({&Modules::contactConductance,
-                      "heat from material '" + x.name + "' to other bodies meets a resistance"});
-  }
-  return uses;
+  if (!m.heat || s.bodies.size() + s.emitters.size() < 2) return {};
+  return usesByMaterials(s, &Modules::contactConductance,
+                         {"heat from ", " to other bodies meets a resistance"},
+                         [&](const Material& x) { return inUse(s, x) && x.contactConductance < never; });
 }
 
 }  // namespace

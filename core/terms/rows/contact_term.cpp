@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contact and friction of separate solids (core/contact/, core/rigid/contact/).
+#include "core/terms/material_uses.hpp"
 #include "core/terms/solid_uses.hpp"
 #include "core/terms/terms.hpp"
 
@@ -40,7 +41,7 @@ std::vector<ModuleUse> usesOfContact(const Scene& s, const Modules& m) {
   if (m.fracture && s.numerics.selfContact) uses.push_back({&Modules::contact, "pieces can touch"});
   if (!uses.empty() && m.elastic && s.bodies.size() + s.emitters.size() > 1)
     uses.push_back({&Modules::bodyContact, "solids of different bodies can touch"});
-  append(uses, usesBySolids(s, m, &Modules::rollingFriction, "", " has a `rolling_friction`",
+  append(uses, usesBySolids(s, m, &Modules::rollingFriction, {"", " has a `rolling_friction`"},
                             [](const Material& x) { return x.isRigid() && x.rollingFriction > 0; }));
   return uses;
 }

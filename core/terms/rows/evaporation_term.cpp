@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Evaporation (core/heat/evaporation.hpp).
 #include "core/materials/liquid_materials.hpp"
-#include "core/terms/rows/liquid_uses.hpp"
+#include "core/terms/material_uses.hpp"
 #include "core/terms/terms.hpp"
 
 namespace thaw {
@@ -29,16 +29,12 @@ void checkEvaporation(KeyTable& keys, const Material& m, const Numerics& n) {
 bool evaporates(const Material& m) { return !m.evaporation.empty(); }
 
 std::vector<ModuleUse> heatOfEvaporation(const Scene& s) {
-  std::vector<ModuleUse> uses;
-  for (const Material& m : s.materials)
-    if (evaporates(m)) uses.push_back({&Modules::heat, "material '" + m.name + "' evaporates"});
-  return uses;
+  return usesByMaterials(s, &Modules::heat, {"", " evaporates"}, evaporates);
 }
 
 std::vector<ModuleUse> usesOfEvaporation(const Scene& s, const Modules& m) {
-  std::vector<ModuleUse> uses = usesByLiquids(s, m, &Modules::evaporation, evaporates);
-  for (ModuleUse& use : uses) use.why += " loses mass at free surfaces of its liquid";
-  return uses;
+  return usesByLiquids(s, m, &Modules::evaporation, {"", " loses mass at free surfaces of its liquid"},
+                       evaporates);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fracture: bonds of elastic solids (core/solid/fracture.hpp), and rigid pieces (core/rigid/breaking/).
+#include "core/terms/material_uses.hpp"
 #include "core/terms/solid_uses.hpp"
 #include "core/terms/terms.hpp"
 
@@ -26,9 +27,9 @@ void checkStrength(KeyTable& keys, const Material& m, const Numerics&) {
 }
 
 std::vector<ModuleUse> usesOfFracture(const Scene& s, const Modules& m) {
-  std::vector<ModuleUse> uses = usesBySolids(s, m, &Modules::fracture, "bonds of ", " break",
+  std::vector<ModuleUse> uses = usesBySolids(s, m, &Modules::fracture, {"bonds of ", " break"},
                                              [](const Material& x) { return x.breakStretch < never; });
-  append(uses, usesBySolids(s, m, &Modules::breaking, "", " has a strength",
+  append(uses, usesBySolids(s, m, &Modules::breaking, {"", " has a strength"},
                             [](const Material& x) { return x.isRigid() && x.strength < never; }));
   return uses;
 }

@@ -2,7 +2,7 @@
 // Melting and freezing (core/solid/melting.hpp). find_modules.cpp finds the phases that a scene can have, and
 // with them whether a material melts.
 #include "core/scene/phase_density.hpp"
-#include "core/terms/solid_uses.hpp"
+#include "core/terms/material_uses.hpp"
 #include "core/terms/terms.hpp"
 
 namespace thaw {
@@ -22,9 +22,9 @@ void checkMelting(KeyTable& keys, const Material& m, const Numerics&) {
 }
 
 std::vector<ModuleUse> usesOfMelting(const Scene& s, const Modules& m) {
-  std::vector<ModuleUse> uses = usesBySolids(s, m, &Modules::phaseDensity, "solid and liquid of ",
-                                             " differ in density", hasPhaseDensities);
-  append(uses, usesBySolids(s, m, &Modules::freezing, "", " can freeze again",
+  std::vector<ModuleUse> uses = usesBySolids(
+      s, m, &Modules::phaseDensity, {"solid and liquid of ", " differ in density"}, hasPhaseDensities);
+  append(uses, usesBySolids(s, m, &Modules::freezing, {"", " can freeze again"},
                             [&](const Material& x) { return x.melts() && m.melting; }));
   return uses;
 }

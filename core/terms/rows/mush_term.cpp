@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drag of mushes (core/heat/mush.hpp), whose integration is exact, so that it does not limit the step.
-#include "core/scene/material_use.hpp"
+#include "core/terms/material_uses.hpp"
 #include "core/terms/terms.hpp"
 
 namespace thaw {
@@ -18,14 +18,10 @@ void checkDrag(KeyTable& keys, const Material&, const Numerics&) {
 }
 
 std::vector<ModuleUse> usesOfDrag(const Scene& s, const Modules& m) {
-  std::vector<ModuleUse> uses;
-  if (!m.melting) return uses;
-  for (std::size_t k = 0; k < s.materials.size(); k++)
-    if (const Material& x = s.materials[k]; inUse(s, k) && x.melts() && x.mushDrag > 0)
-      uses.push_back({&Modules::mushDrag, "material '" + x.name +
-                                              "' slows its liquid beside solids between solidus and "
-                                              "liquidus"});
-  return uses;
+  if (!m.melting) return {};
+  return usesByMaterials(s, &Modules::mushDrag,
+                         {"", " slows its liquid beside solids between solidus and liquidus"},
+                         [&](const Material& x) { return inUse(s, x) && x.melts() && x.mushDrag > 0; });
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plastic flow of elastic solids (core/solid/laws/plasticity.hpp).
+#include "core/terms/material_uses.hpp"
 #include "core/terms/solid_uses.hpp"
 #include "core/terms/terms.hpp"
 
@@ -42,7 +43,7 @@ void checkPlasticity(KeyTable& keys, const Material& m, const Numerics&) {
 }
 
 std::vector<ModuleUse> usesOfPlasticity(const Scene& s, const Modules& m) {
-  return usesBySolids(s, m, &Modules::plastic, "", " yields", yieldsAtAll);
+  return usesBySolids(s, m, &Modules::plastic, {"", " yields"}, yieldsAtAll);
 }
 
 }  // namespace

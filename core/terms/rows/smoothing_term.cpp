@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/terms/rows/liquid_uses.hpp"
+#include "core/terms/material_uses.hpp"
 #include "core/terms/terms.hpp"
 
 namespace thaw {
@@ -10,7 +10,7 @@ void readSmoothing(KeyTable& keys, Material& m) {
 }
 
 std::vector<ModuleUse> usesOfSmoothing(const Scene& s, const Modules& m) {
-  return usesByLiquids(s, m, &Modules::xsph, [](const Material& x) { return x.xsph > 0; });
+  return usesByLiquids(s, m, &Modules::xsph, {}, [](const Material& x) { return x.xsph > 0; });
 }
 
 }  // namespace

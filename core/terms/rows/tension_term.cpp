@@ -6,6 +6,7 @@
 #include "core/materials/surface_tension.hpp"
 #include "core/scene/material_use.hpp"
 #include "core/scene/tension_form.hpp"
+#include "core/terms/material_uses.hpp"
 #include "core/terms/terms.hpp"
 
 namespace thaw {
@@ -51,12 +52,8 @@ void checkTension(KeyTable& keys, const Material& m, const Numerics&) {
 }
 
 std::vector<ModuleUse> heatOfTension(const Scene& s) {
-  std::vector<ModuleUse> uses;
-  for (const Material& m : s.materials)
-    if (!m.surfaceTensionTable.empty())
-      uses.push_back(
-          {&Modules::heat, "the surface tension of material '" + m.name + "' depends on the temperature"});
-  return uses;
+  return usesByMaterials(s, &Modules::heat, {"the surface tension of ", " depends on the temperature"},
+                         [](const Material& m) { return !m.surfaceTensionTable.empty(); });
 }
 
 std::vector<ModuleUse> usesOfTension(const Scene& s, const Modules& m) {

@@ -3,7 +3,7 @@
 // (core/flow/implicit_viscosity/).
 #include "core/fluid/flow_laws/flow_law.hpp"
 #include "core/materials/liquid_materials.hpp"
-#include "core/terms/rows/liquid_uses.hpp"
+#include "core/terms/material_uses.hpp"
 #include "core/terms/terms.hpp"
 
 namespace thaw {
@@ -67,12 +67,9 @@ void checkViscosity(KeyTable& keys, const Material& m, const Numerics&) {
 }
 
 std::vector<ModuleUse> heatOfViscosity(const Scene& s) {
-  std::vector<ModuleUse> uses;
-  for (const Material& m : s.materials)
-    if (!m.viscosityTable.empty() || dependsOnTemperature(m.flowLaw))
-      uses.push_back(
-          {&Modules::heat, "the viscosity of material '" + m.name + "' depends on the temperature"});
-  return uses;
+  return usesByMaterials(
+      s, &Modules::heat, {"the viscosity of ", " depends on the temperature"},
+      [](const Material& m) { return !m.viscosityTable.empty() || dependsOnTemperature(m.flowLaw); });
 }
 
 std::vector<ModuleUse> usesOfViscosity(const Scene& s, const Modules& m) {

@@ -2,7 +2,7 @@
 // Welding: new bonds between solids, and rigid pieces that join (core/rigid/welding/).
 #include <charconv>
 
-#include "core/terms/solid_uses.hpp"
+#include "core/terms/material_uses.hpp"
 #include "core/terms/terms.hpp"
 
 namespace thaw {
@@ -41,19 +41,16 @@ void checkWelding(KeyTable& keys, const Material& m, const Numerics&) {
 }
 
 std::vector<ModuleUse> heatOfWelding(const Scene& s) {
-  std::vector<ModuleUse> uses;
-  for (const Material& m : s.materials)
-    if (m.weldTemperature < never)
-      uses.push_back({&Modules::heat, "pieces of material '" + m.name + "' weld where they are hot"});
-  return uses;
+  return usesByMaterials(s, &Modules::heat, {"pieces of ", " weld where they are hot"},
+                         [](const Material& m) { return m.weldTemperature < never; });
 }
 
 std::vector<ModuleUse> usesOfWelding(const Scene& s, const Modules& m) {
   std::vector<ModuleUse> uses = usesBySolids(
-      s, m, &Modules::pieceWelding, "", " has a `weld_temperature`",
+      s, m, &Modules::pieceWelding, {"", " has a `weld_temperature`"},
       [](const Material& x) { return x.isRigid() && x.weldTemperature < never; });
   if (m.contact)
-    append(uses, usesBySolids(s, m, &Modules::welding, "solids of ", " grow together",
+    append(uses, usesBySolids(s, m, &Modules::welding, {"solids of ", " grow together"},
                               [](const Material& x) { return x.weld; }));
   return uses;
 }

@@ -5,12 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include "core/geometry/basic/signed_distance.hpp"
 #include "io/surface_mesh/obstacle_mesh.hpp"
 #include "io/surface_mesh/triangle_angles.hpp"
+#include "tests/support/closed_mesh.hpp"
+#include "tests/support/meshes.hpp"
 
 namespace thaw {
 namespace {
@@ -32,22 +33,6 @@ Angles anglesOf(const TriangleMesh& mesh) {
   return a;
 }
 
-bool isClosed(const TriangleMesh& mesh) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-  for (const auto& t : mesh.triangles)
-    for (std::size_t k = 0; k < 3; k++) edges[{t[k], t[(k + 1) % 3]}]++;
-  for (const auto& [edge, count] : edges)
-    if (count != 1 || !edges.contains({edge.second, edge.first})) return false;
-  return true;
-}
-
-double volumeOf(const TriangleMesh& mesh) {
-  double volume = 0;
-  for (const auto& t : mesh.triangles)
-    volume += dot(mesh.vertices[t[0]], cross(mesh.vertices[t[1]], mesh.vertices[t[2]])) / 6;
-  return volume;
-}
-
 Shape shapeOf(ShapeKind kind) {
   Shape s;
   s.kind = kind;
@@ -63,7 +48,7 @@ Shape boxOf(const Vec3d& size) {
 /// off: m, largest distance of a vertex from the shape.
 void expectEven(const Shape& shape, double volume, double off = 1e-9) {
   const TriangleMesh mesh = evenShapeMesh(shape, 2e-3, {});
-  EXPECT_TRUE(isClosed(mesh));
+  expectClosed(mesh);
   EXPECT_NEAR(volumeOf(mesh), volume, 0.06 * volume);  // chords of thin tubes
   EXPECT_GE(anglesOf(mesh).least, 15);
   EXPECT_LT(mesh.triangles.size(), 100000u);
