@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // An evaluation of all forces.
-#include <initializer_list>
 #include <span>
 
 #include "core/simulation/redistribute.hpp"
 #include "core/simulation/step.hpp"
 #include "core/simulation/step_context.hpp"
+#include "core/simulation/sums/coincident.hpp"
 #include "core/simulation/sums/particle_sums.hpp"
 #include "core/walls/wall_offsets.hpp"
 
@@ -36,7 +36,7 @@ void findDensities(StepContext& c) {
   StepTools& t = c.t;
   const bool search = needsNeighbours(w.modules, t.solid);
   Exchange ghosts;
-  if (search) ghosts = sendGhosts(c.halos.cells, w.particles, w.cells, ghostColumns(w.modules, w.particles));
+  if (search) ghosts = sendGhosts(c.halos.cells, w.particles, w.cells, t.phases.ghosts.withPositions);
   runPhase(ModulePhase::GhostsSent, c);  // positions of bonded rows of other ranks
   t.times.lap(StepPhase::Exchange);
   clearRates(w.particles, w.modules.uniform);
@@ -52,16 +52,6 @@ void findDensities(StepContext& c) {
   t.times.lap(StepPhase::Contact);
 }
 
-/// Columns of ghosts that follow from densities, shear rates, normals and contacts.
-ColumnList densityColumns(Continuum& p) {
-  ColumnList columns{};
-  for (AnyColumn* column : std::initializer_list<AnyColumn*>{
-           &p.relativeDensity, &p.contactNormal, &p.exposure, &p.correction, &p.relief, &p.apparentViscosity,
-           &p.surfaceEnergyByGradient, &p.surfaceEnergyByColour, &p.bodyContact})
-    if (column->active) columns.push_back(column);
-  return columns;
-}
-
 /// Pressure, viscosity, heat and tension of pairs.
 void sumForces(StepContext& c, Part part) {
   if (!c.w.modules.neighbours) return;  // a scene of one solid searches only to form its bonds
@@ -74,7 +64,7 @@ void sumForces(StepContext& c, Part part) {
 void findForces(StepContext& c) {
   World& w = c.w;
   StepTools& t = c.t;
-  const ColumnList columns = densityColumns(w.particles);
+  const ColumnList& columns = t.phases.ghosts.withDensities;
   Exchange densities;
   if (!columns.empty()) densities = refresh(c.halos.cells, w.particles, columns);
   t.times.lap(StepPhase::Exchange);

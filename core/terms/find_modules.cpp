@@ -143,14 +143,6 @@ bool findRigid(Finder& f) {
   return elastic;
 }
 
-/// Returns true if an emitter can emit solids.
-bool emitsSolid(const Scene& s) {
-  return std::any_of(s.emitters.begin(), s.emitters.end(), [&](const Emitter& e) {
-    const Material& m = s.materials[static_cast<std::size_t>(e.material)];
-    return m.canBeSolid() && (e.temperatureField || solidAt(m, e.temperature));
-  });
-}
-
 /// Activates sleep, and substeps of solids. Requires: Modules::elastic.
 void findSubsteps(Finder& f) {
   const Scene& s = f.s;
@@ -164,7 +156,9 @@ void findSubsteps(Finder& f) {
   m.mostSubsteps = s.numerics.elasticSubsteps > 0 ? s.numerics.elasticSubsteps
                    : m.elastic && m.fluid && !m.contact && !m.sleep && !m.rigidify ? byDefault
                                                                                    : 1;
-  m.rareContact = m.contact && m.mostSubsteps > 1 && solidBodies(s) <= 1 && !m.fracture && !emitsSolid(s);
+  const bool emitsSolid = std::any_of(s.emitters.begin(), s.emitters.end(),
+                                      [&](const Emitter& e) { return mayStartSolid(s, e); });
+  m.rareContact = m.contact && m.mostSubsteps > 1 && solidBodies(s) <= 1 && !m.fracture && !emitsSolid;
   if (m.solid && m.mostSubsteps > 1)
     f.on(&Modules::substeps, s.numerics.elasticSubsteps > 0
                                  ? "`numerics.elastic_substeps` is " + std::to_string(m.mostSubsteps)

@@ -9,6 +9,7 @@
 
 #include "core/fluid/pair_sums/pair_sums.hpp"
 #include "core/particles/continuum.hpp"
+#include "core/scene/scene.hpp"
 
 namespace thaw {
 
@@ -67,6 +68,11 @@ struct PairForceWork {
   std::vector<Vec3d> packed;         ///< work
   std::vector<double> energy;        ///< J, by owned row
 };
+
+/// Returns the constants of a pair force in this scene. support: of the kernel (m).
+inline PairConstants constantsOf(const Scene& scene, double support, const PairForceWork& work) {
+  return {work.values.data(), support, scene.spacing};
+}
 
 /// Packs the records of rows [begin, end).
 void packPairForce(const Scene& scene, const Continuum& particles, std::size_t begin, std::size_t end,

@@ -280,13 +280,13 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     const Wide half = Wide(0.5) * spread;
     const Wide energy = half * restVolume * (pressureTerm(flow + half) + pressureTerm(before + half));
     const Wide end = flow + spread;
-    noteChange(end - before);
+    recordChange(end - before);
     write(at, inLiquid, at.doubles(x.dissipated) - energy + (x.compressionRate ? damp(end) : zero),
           x.dissipated);
     return end;
   }
 
-  THAW_INLINE void noteChange(Wide change) {
+  THAW_INLINE void recordChange(Wide change) {
     const Wide size = sizeOf(change);
     if (!any(size > Wide(*x.largestChange))) return;
     for (int l = 0; l < at.count; l++)

@@ -77,7 +77,7 @@ void recordPairForces(World& w, const std::vector<Leaver>& leavers,
                       const std::vector<PairForceWork>& pairForces) {
   for (std::size_t k = 0; k < pairForces.size(); k++) {
     const PairForceWork& work = pairForces[k];
-    const PairConstants constants = constantsOf(w.scene, w.grid, work);
+    const PairConstants constants = constantsOf(w.scene, w.grid.support, work);
     eachNearLeaver(w, leavers, [&](std::uint32_t j, const Leaver& l, const Vec3d& d) {
       const std::array<double, 4> record = pairRecordOf(w.scene, w.particles, j, work);
       const double pair = work.force->kernels.energy(

@@ -28,7 +28,10 @@ StepModule bodyContact() {
               if (c.w.modules.rareContact) c.contactNear = c.contactNear || touchesSoon(c.t.contact.bodies);
             }},
            {ModulePhase::AllForces,
-            [](StepContext& c) { recordResistance(c.walls, c.t.contact.bodies.resistance); }}}};
+            [](StepContext& c) { recordResistance(c.walls, c.t.contact.bodies.resistance); }}},
+          [](Continuum& p) {
+            return GhostColumns{{&p.contactDepth}, {&p.bodyContact}};
+          }};
 }
 
 }  // namespace thaw

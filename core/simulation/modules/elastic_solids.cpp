@@ -72,11 +72,15 @@ StepModule elasticSolids() {
                                                ? elasticStepLimit(c.w.scene, all.stretch2, all.strainBound)
                                                : never;
         }},
-       {ModulePhase::EndOfStep, [](StepContext& c) {
+       {ModulePhase::EndOfStep,
+        [](StepContext& c) {
           // Here and not in the next step, so that checkpoints contain it.
           if (c.dt > 0 && c.t.phaseChange.meltedAnywhere)
             melt(c.w, c.halos.bonds, c.t.solid.elastic, c.t.times);
-        }}}};
+        }}},
+      [](Continuum& p) {
+        return GhostColumns{{&p.id, &p.body}, {}};
+      }};
 }
 
 StepModule fracture() {
@@ -152,10 +156,14 @@ StepModule solidSubsteps() {
                                                         c.w.modules.mostSubsteps);
               limits[Limit::Elastic] = std::min(limits[Limit::Elastic], longest);
             }},
-           {ModulePhase::NextStep, [](StepContext& c) {
+           {ModulePhase::NextStep,
+            [](StepContext& c) {
               chooseSubsteps(c.w.modules, c.w.clock, c.w.ledger, c.t.walls.contacts,
                              c.w.monitor.factor * c.longestSubstep);
-            }}}};
+            }}},
+          [](Continuum& p) {
+            return GhostColumns{{&p.stepMeanVelocity}, {}};
+          }};
 }
 
 }  // namespace thaw

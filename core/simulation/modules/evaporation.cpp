@@ -41,9 +41,13 @@ StepModule evaporation() {
             }},
            {ModulePhase::ContinuumForce,
             [](StepContext& c) { keepPairEnergy(c.w.particles, c.t.phaseChange.energy); }},
-           {ModulePhase::AllForces, [](StepContext& c) {
+           {ModulePhase::AllForces,
+            [](StepContext& c) {
               findVapour(evaporationView(c.w, c.t), c.walls, c.t.phaseChange.energy.ofPairs, c.dt);
-            }}}};
+            }}},
+          [](Continuum& p) {
+            return GhostColumns{{}, {&p.exposure}};
+          }};
 }
 
 }  // namespace thaw

@@ -9,9 +9,13 @@ namespace thaw {
 StepModule flowLaws() {
   return {"flow law",
           [](const World& w, const TermWork&) { return w.modules.flowLaw; },
-          {{ModulePhase::Density, [](StepContext& c) {
+          {{ModulePhase::Density,
+            [](StepContext& c) {
               findApparentViscosity(c.walls, c.t.walls.contacts, pairSumsOf(c.w, c.t.sums));
-            }}}};
+            }}},
+          [](Continuum& p) {
+            return GhostColumns{{}, {&p.apparentViscosity}};
+          }};
 }
 
 }  // namespace thaw

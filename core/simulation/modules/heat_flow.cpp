@@ -33,11 +33,15 @@ StepModule conductionCorrection() {
   constexpr std::int64_t everySteps = 8;  // surfaces move by much less than a spacing meanwhile
   return {"corrected conduction",
           [](const World& w, const TermWork&) { return w.particles.conductionCorrection.active; },
-          {{ModulePhase::AllForces, [](StepContext& c) {
+          {{ModulePhase::AllForces,
+            [](StepContext& c) {
               if (c.dt != 0 && (c.w.clock.step + 1) % everySteps != 0) return;
               // for the next step
               correctConduction(pairSumsOf(c.w, c.t.sums), c.walls, c.t.walls.contacts, c.t.heat.conduction);
-            }}}};
+            }}},
+          [](Continuum& p) {
+            return GhostColumns{{&p.conductionCorrection}, {}};
+          }};
 }
 
 StepModule contactConductance() {
@@ -48,10 +52,14 @@ StepModule contactConductance() {
               findContactNormals(pairSumsOf(c.w, c.t.sums), c.w.particles.owned + c.t.sums.ghostRoom,
                                  c.w.particles, c.t.heat.contact);
             }},
-           {ModulePhase::ForceSums, [](StepContext& c) {  // after the conduction, which it corrects
+           {ModulePhase::ForceSums,
+            [](StepContext& c) {  // after the conduction, which it corrects
               packContactFaces(c.w.scene, c.w.particles, c.rows.begin, c.rows.end, c.t.heat.contact);
               addContactHeat(pairSumsOf(c.w, c.t.sums), c.t.heat.contact, c.rows.groups);
-            }}}};
+            }}},
+          [](Continuum& p) {
+            return GhostColumns{{&p.body}, {&p.contactNormal}};
+          }};
 }
 
 }  // namespace thaw

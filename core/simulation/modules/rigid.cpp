@@ -37,7 +37,10 @@ StepModule rigidPieces() {
             }},
            {ModulePhase::AllForces,
             [](StepContext& c) { sumPieceForces(rigidView(c.w, c.t.rigid), c.halos.all); }},
-           {ModulePhase::Kicked, [](StepContext& c) { kickPieces(rigidView(c.w, c.t.rigid), c.dt); }}}};
+           {ModulePhase::Kicked, [](StepContext& c) { kickPieces(rigidView(c.w, c.t.rigid), c.dt); }}},
+          [](Continuum& p) {
+            return GhostColumns{{&p.piece, &p.faceNormal, &p.faceOffset, &p.faceRadius}, {}};
+          }};
 }
 
 /// Pieces of rigid materials. They change where particles melt, freeze or leave; their contacts are impulses.

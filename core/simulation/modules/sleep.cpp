@@ -20,9 +20,13 @@ StepModule sleepOfSolids() {
            {ModulePhase::Density, [](StepContext& c) { dropSkippedContacts(c.t.sleep, c.t.walls.contacts); }},
            {ModulePhase::Contact,
             [](StepContext& c) { recordConstraintForces(c.w.particles, c.w.scene, c.t.sleep); }},
-           {ModulePhase::SecondKick, [](StepContext& c) {
+           {ModulePhase::SecondKick,
+            [](StepContext& c) {
               updateSleep(sleepView(c.w, c.t), c.dt);  // solids at rest are fixed from here on
-            }}}};
+            }}},
+          [](Continuum& p) {
+            return GhostColumns{{&p.restTime, &p.sleep}, {}};
+          }};
 }
 
 }  // namespace thaw

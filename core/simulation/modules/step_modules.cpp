@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/simulation/modules/step_modules.hpp"
 
+#include <algorithm>
+#include <span>
+
+#include "core/simulation/sums/particle_sums.hpp"
+
 namespace thaw {
 
 std::vector<StepModule> stepModules() {
@@ -55,12 +60,32 @@ std::vector<StepModule> stepModules() {
           surfaceMotion()};
 }
 
-StepPhases phasesOf(const World& w, const TermWork& terms) {
+namespace {
+
+/// Adds the active columns that the list lacks.
+void addActive(std::span<AnyColumn* const> columns, ColumnList& list) {
+  for (AnyColumn* column : columns) {
+    const std::span<AnyColumn* const> present = list;
+    if (column->active && std::find(present.begin(), present.end(), column) == present.end())
+      list.push_back(column);
+  }
+}
+
+}  // namespace
+
+StepPhases phasesOf(World& w, const TermWork& terms) {
   StepPhases phases;
+  addActive(recordColumns(w.particles), phases.ghosts.withPositions);
+  for (const auto& added : w.particles.added)
+    if (added->ghosts) phases.ghosts.withPositions.push_back(added.get());
   for (const StepModule& module : stepModules())
-    if (module.isOn(w, terms))
+    if (module.isOn(w, terms)) {
       for (const ModuleCall& c : module.calls)
         phases.calls[static_cast<std::size_t>(c.phase)].push_back(c.call);
+      const GhostColumns ghosts = module.ghosts(w.particles);
+      addActive(ghosts.withPositions, phases.ghosts.withPositions);
+      addActive(ghosts.withDensities, phases.ghosts.withDensities);
+    }
   return phases;
 }
 

@@ -19,6 +19,8 @@ struct StepModule {
   std::string_view name;
   bool (*isOn)(const World&, const TermWork&);  ///< in a prepared world; constant over a run
   std::vector<ModuleCall> calls;                ///< at most one per phase
+  /// Columns that its sums read in ghosts, besides those of records (recordColumns), if they are active.
+  GhostColumns (*ghosts)(Continuum&) = [](Continuum&) { return GhostColumns{}; };
 };
 
 // In the order of stepModules().
@@ -74,7 +76,7 @@ StepModule surfaceMotion();
 /// Returns all modules. In each phase they are called in this order.
 std::vector<StepModule> stepModules();
 
-/// Returns the calls of the modules that the scene has. Requires: the world is prepared.
-StepPhases phasesOf(const World& world, const TermWork& terms);
+/// Returns the calls and ghosts of the modules that the scene has. Requires: active fields.
+StepPhases phasesOf(World& world, const TermWork& terms);
 
 }  // namespace thaw

@@ -18,7 +18,10 @@ StepModule surfaceEnergy() {
       {{ModulePhase::DensitySums,
         [](StepContext& c) { c.t.sums.kernels->surfaceColours(pairSumsOf(c.w, c.t.sums), c.rows.groups); }},
        {ModulePhase::Density,
-        [](StepContext& c) { findSurfaceEnergy(c.walls, c.t.surface, c.t.walls.contacts); }}}};
+        [](StepContext& c) { findSurfaceEnergy(c.walls, c.t.surface, c.t.walls.contacts); }}},
+      [](Continuum& p) {
+        return GhostColumns{{}, {&p.surfaceEnergyByGradient, &p.surfaceEnergyByColour}};
+      }};
 }
 
 StepModule tensionByTemperature() {

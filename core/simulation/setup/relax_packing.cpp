@@ -12,6 +12,7 @@
 #include "core/kernels/lattice.hpp"
 #include "core/materials/rest_density.hpp"
 #include "core/scene/full_box.hpp"
+#include "core/simulation/setup/packing_sums.hpp"
 #include "core/simulation/sums/particle_sums.hpp"
 
 namespace thaw {
@@ -30,7 +31,7 @@ void kernelGradients(World& w, Halos& halos, StepTools& t) {
   if (p.solidIndex.active)
     for (std::size_t i = 0; i < p.owned; i++) p.solidIndex[i] = noSolid;
   sortByCell(p, m, t.redistribution.sort, w.cells);
-  sendGhosts(halos.cells, p, w.cells, ghostColumns(w.modules, p)).wait();
+  sendGhosts(halos.cells, p, w.cells, t.phases.ghosts.withPositions).wait();
   clearRates(w.particles);
   markInner(w.cells, p.owned, halos.cells, t.sums.inner);
   t.sums.ghostRoom = std::max(t.sums.ghostRoom, p.ghosts);

@@ -37,7 +37,7 @@ void findPairEnergy(World& w, StepTools& t) {
   for (PairForceWork& pairs : t.terms.pairForces) {
     packPairForce(w.scene, p, 0, p.size(), pairs);
     pairs.force->kernels.sum(
-        sums, {pairs.records.data(), constantsOf(w.scene, w.grid, pairs), work.energy.data()}, all);
+        sums, {pairs.records.data(), constantsOf(w.scene, w.grid.support, pairs), work.energy.data()}, all);
   }
 }
 

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/particles/column.hpp"
+
 namespace thaw {
 
 struct StepContext;  // core/simulation/step_context.hpp
@@ -50,11 +52,19 @@ enum class ModulePhase {
 };
 inline constexpr std::size_t phaseCount = static_cast<std::size_t>(ModulePhase::EndOfStep) + 1;
 
+/// Columns of ghosts that the sums of modules read.
+struct GhostColumns {
+  ColumnList withPositions{};  ///< known at the start of an evaluation
+  ColumnList withDensities{};  ///< follow from the first sums: densities, shear rates, normals, contacts
+};
+
 using PhaseCall = void (*)(StepContext&);
 
-/// The calls of a scene's modules, made once in set-up (phasesOf, core/simulation/modules/step_modules.hpp).
+/// The calls of a scene's modules and the ghosts that they need, found once in set-up (phasesOf,
+/// core/simulation/modules/step_modules.hpp).
 struct StepPhases {
   std::array<std::vector<PhaseCall>, phaseCount> calls;
+  GhostColumns ghosts;  ///< active columns, each once
   void run(ModulePhase phase, StepContext& context) const {
     for (const PhaseCall call : calls[static_cast<std::size_t>(phase)]) call(context);
   }

@@ -2,6 +2,7 @@
 // Bodies of lattice particles with surfels in one process, for tests and benchmarks of the surface.
 #pragma once
 #include <functional>
+#include <map>
 #include <memory>
 #include <numbers>
 
@@ -114,6 +115,20 @@ inline BallErrors ballErrors(const Surfels& s, double radius) {
     e.volume += (r * r * r / (radius * radius * radius) - 1) / n;
   }
   return e;
+}
+
+/// Places of all surfels by id.
+inline std::map<std::uint64_t, Vec3d> places(const Surfels& s) {
+  std::map<std::uint64_t, Vec3d> at;
+  for (std::size_t i = 0; i < s.owned; i++) at[s.id[i]] = s.position[i];
+  return at;
+}
+
+/// Adds a ball of radius R spacings with surfels that are off its surface by up to `noise`.
+inline void addBall(RelaxRig& rig, double R, double noise = 0.1) {
+  rig.addLattice(static_cast<int>(R) + 1, {0.5, 0.5, 0.5}, [&](const Vec3d& x) { return length(x) < R; });
+  rig.addBallSurfels(R, noise);
+  rig.place();
 }
 
 }  // namespace thaw::test

@@ -14,7 +14,7 @@ namespace {
 using std::numbers::pi;
 
 /// Enclosed volume; negative if the mesh faces inward.
-double volumeOf(const TriangleMesh& m) {
+double meshVolume(const TriangleMesh& m) {
   double v = 0;
   for (const auto& t : m.triangles) v += dot(m.vertices[t[0]], cross(m.vertices[t[1]], m.vertices[t[2]])) / 6;
   return v;
@@ -50,7 +50,7 @@ TEST(ShapeMesh, HasTheAreaAndVolumeOfSimpleShapes) {
     const TriangleMesh m = shapeMesh(s, 1e-4, {});
     const auto kind = static_cast<int>(e.kind);
     EXPECT_NEAR(areaOf(m) / (1.5 * 1.5 * e.area), 1, 1e-3) << kind;
-    EXPECT_NEAR(volumeOf(m) / (1.5 * 1.5 * 1.5 * e.volume), 1, 1e-3) << kind;
+    EXPECT_NEAR(meshVolume(m) / (1.5 * 1.5 * 1.5 * e.volume), 1, 1e-3) << kind;
     const auto solid = makeSignedDistance(s);
     for (const Vec3d& v : m.vertices) ASSERT_NEAR(solid->distance(v), 0, 1e-9) << kind;
     for (const auto& c : m.triangles) {
@@ -68,7 +68,7 @@ TEST(ShapeMesh, ReversesSubtractedShapesAndKeepsNestedPlaces) {
   cut.parts = {shapeOf(ShapeKind::Box), hole};
   cut.scale = 2;
   cut.move = {1, 1, 1};
-  EXPECT_NEAR(volumeOf(shapeMesh(cut, 1e-4, {})), 8 * (6 - 4 * pi / 3 * 0.064), 1e-2);
+  EXPECT_NEAR(meshVolume(shapeMesh(cut, 1e-4, {})), 8 * (6 - 4 * pi / 3 * 0.064), 1e-2);
   plane.normal = {0, 0, 1};
   Shape half = shapeOf(ShapeKind::Intersection);
   half.parts = {shapeOf(ShapeKind::Sphere), plane};

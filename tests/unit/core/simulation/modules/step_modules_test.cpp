@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <initializer_list>
 #include <set>
+#include <span>
+#include <vector>
 
 namespace thaw {
 namespace {
@@ -36,8 +39,36 @@ TEST(StepModules, HaveUniqueNamesAndAtMostOneCallPerPhase) {
   }
 }
 
+TEST(StepModules, ReadOnlyColumnsThatGhostsHave) {
+  Continuum p;
+  for (const StepModule& module : stepModules()) {
+    const GhostColumns ghosts = module.ghosts(p);
+    for (const ColumnList& list : {ghosts.withPositions, ghosts.withDensities})
+      for (const AnyColumn* column : std::span<AnyColumn* const>(list))
+        EXPECT_EQ(column->rows, Rows::All) << module.name << ", " << column->name;
+  }
+}
+
+TEST(StepModules, SendTheActiveColumnsOfTheSceneOnce) {
+  World w;
+  Continuum& p = w.particles;
+  w.modules.continuity = w.modules.incompressible = w.modules.sleep = true;
+  for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.position, &p.velocity, &p.mass, &p.material,
+                                                        &p.phase, &p.clamped, &p.sleep, &p.piece})
+    p.activate(*c);
+  const StepPhases phases = phasesOf(w, TermWork{});
+  const std::span<AnyColumn* const> sent = phases.ghosts.withPositions;
+  // `clamped` belongs to two modules, `restTime` is not active, and nothing here reads `piece`.
+  const std::vector<AnyColumn*> expected{&p.position, &p.velocity, &p.mass,   &p.material,
+                                         &p.phase,    &p.sleep,    &p.clamped};
+  EXPECT_EQ(std::set<AnyColumn*>(sent.begin(), sent.end()),
+            std::set<AnyColumn*>(expected.begin(), expected.end()));
+  EXPECT_EQ(sent.size(), expected.size());
+}
+
 TEST(StepModules, SceneWithoutModulesHasOnlyLoadsFromOutside) {
-  EXPECT_EQ(callsOf(phasesOf(World{}, TermWork{})), 3u);
+  World w;
+  EXPECT_EQ(callsOf(phasesOf(w, TermWork{})), 3u);
 }
 
 TEST(StepModules, ActInTheOrderOfTheirList) {

@@ -11,7 +11,7 @@ using namespace thaw::test;
 
 namespace {
 
-constexpr const char* allLaws[]{"green", "neo-hookean", "corotated"};
+constexpr const char* flowLaws[]{"green", "neo-hookean", "corotated"};
 const Mat3d one = identity3<double>();
 
 ElasticConstants yielding(const char* law, double yield, double creep = never, double hardening = 0) {
@@ -79,14 +79,14 @@ void driveUniaxially(Point& p, double along) {
   p.drive(stretches(along, side[1]));
 }
 
-Mat3d noiseMatrix(std::uint64_t n, double size) {
+Mat3d noisyGradient(std::uint64_t n, double size) {
   return size * Mat3d{{noise3(n, 1), noise3(n, 2), noise3(n, 3)}};
 }
 
 }  // namespace
 
 TEST(Plasticity, UniaxialCompressionToHalfHoldsThePlateau) {
-  for (const char* const law : allLaws)
+  for (const char* const law : flowLaws)
     for (const double yield : {0.002, 0.01, 0.05}) {
       Point p{yielding(law, yield)};
       const double plateau = std::sqrt(6.0) * p.c.mu * yield;
@@ -100,7 +100,7 @@ TEST(Plasticity, UniaxialCompressionToHalfHoldsThePlateau) {
 }
 
 TEST(Plasticity, SimpleShearTo200PercentHoldsThePlateau) {
-  for (const char* const law : allLaws)
+  for (const char* const law : flowLaws)
     for (const double yield : {0.002, 0.01, 0.05}) {
       Point p{yielding(law, yield)};
       for (double g = 0; g < 2; g += 0.01) {
@@ -114,7 +114,7 @@ TEST(Plasticity, SimpleShearTo200PercentHoldsThePlateau) {
 }
 
 TEST(Plasticity, HardeningFollowsTheEquivalentPlasticStrain) {
-  for (const char* const law : allLaws) {
+  for (const char* const law : flowLaws) {
     Point p{yielding(law, 0.01, never, 5e4)};
     for (double x = 1; x > 0.5; x -= 0.005) driveUniaxially(p, x);
     const double expected = std::sqrt(6.0) * p.c.mu * 0.01 + 5e4 * p.state.path;
@@ -124,7 +124,7 @@ TEST(Plasticity, HardeningFollowsTheEquivalentPlasticStrain) {
 }
 
 TEST(Plasticity, RotationsDoNotMatter) {
-  for (const char* const law : allLaws) {
+  for (const char* const law : flowLaws) {
     Point still{yielding(law, 0.01, 300)}, turned{still};
     for (int n = 1; n <= 50; n++) {
       const Mat3d f = one + (0.02 * n) * Mat3d{{{0.3, 0.5, 0}, {0, -0.2, 0.3}, {0.1, 0, 0.1}}};
@@ -139,7 +139,7 @@ TEST(Plasticity, RotationsDoNotMatter) {
 }
 
 TEST(Plasticity, CreepDoesNotDependOnTheStep) {
-  for (const char* const law : allLaws)
+  for (const char* const law : flowLaws)
     for (const double yield : {1e-9, 0.01}) {
       const Mat3d f = one + Mat3d{{{0.08, 0.05, 0}, {0, -0.03, 0.02}, {0.01, 0, -0.06}}};
       for (const int steps : {1, 10, 100}) {
@@ -153,7 +153,7 @@ TEST(Plasticity, CreepDoesNotDependOnTheStep) {
 
 TEST(Plasticity, SteadyFlowHasTheViscosityOfTheCreepRate) {
   // |dev sigma| = 2 eta |d|, eta = G / creep
-  for (const char* const law : allLaws)
+  for (const char* const law : flowLaws)
     for (const double dt : {1e-4, 1e-3}) {
       Point p{yielding(law, 0.005, 20)};
       for (int n = 0; n < 1 / dt; n++) p.drive({{{1, 0.5 * n * dt, 0}, {0, 1, 0}, {0, 0, 1}}}, dt);
@@ -163,10 +163,10 @@ TEST(Plasticity, SteadyFlowHasTheViscosityOfTheCreepRate) {
 
 // Groups are evaluated again if one of their solids takes a new reference. The others must not change.
 TEST(Plasticity, EvaluationWithoutFlowHasTheSameBits) {
-  for (const char* const law : allLaws) {
+  for (const char* const law : flowLaws) {
     PlasticState state{};
     for (std::uint64_t n = 0; n < 50; n++) {
-      const Mat3d g = noiseMatrix(n, 0.1);
+      const Mat3d g = noisyGradient(n, 0.1);
       const PlasticFlow flow = plasticFlow(yielding(law, 0.01, 300), g, state, {}, 1e-3);
       state = flow.state;
       EXPECT_EQ(largest(flow.elastic - elasticGradient(g, state.inverse)), 0);
@@ -175,7 +175,7 @@ TEST(Plasticity, EvaluationWithoutFlowHasTheSameBits) {
 }
 
 TEST(Plasticity, LimitIsKept) {
-  for (const char* const law : allLaws) {
+  for (const char* const law : flowLaws) {
     ElasticConstants c = yielding(law, 0.01);
     c.maxPlastic = 0.05;
     Point p{c};
@@ -191,7 +191,7 @@ TEST(Plasticity, LimitIsKept) {
 }
 
 TEST(Plasticity, LossIsWorkLessStoredEnergy) {
-  for (const char* const law : allLaws) {
+  for (const char* const law : flowLaws) {
     Point p{yielding(law, 0.01, 50, 2e4)};
     for (int n = 1; n <= 4000; n++)
       p.drive(one + (1e-4 * n) * Mat3d{{{0.3, 1, 0}, {0, -0.2, 0.3}, {0.1, 0, 0.1}}}, 1e-3);
@@ -235,7 +235,7 @@ TEST(Plasticity, SkippedGroupsAreBelowYield) {
         m.law.name = law;
         m.yieldStrain = {1, 1};
         ElasticConstants c = elasticConstants(m, 0);
-        Mat3d g = noiseMatrix(n, 0.0005 * static_cast<double>(1 + n % 100));
+        Mat3d g = noisyGradient(n, 0.0005 * static_cast<double>(1 + n % 100));
         const double mean = (g.row[0].x + g.row[1].y + g.row[2].z) / 3;
         g = g + (0.002 * noise(n, 40) - mean) * one;  // some laws are unstable under high pressure
         c.yield = sizeOf(c, stressOf(c, one + g, {})) * (1 - 1e-9);
@@ -247,7 +247,7 @@ TEST(Plasticity, SkippedGroupsAreBelowYield) {
 // Green strain weakens below 0.577 of the length. A body compressed beyond that in one step is past its yield
 // stress, not below it.
 TEST(Plasticity, WeakeningLawYieldsAtOnce) {
-  for (const char* const law : allLaws)
+  for (const char* const law : flowLaws)
     for (const double pressed : {0.58, 0.4, 0.1}) {
       Point p{yielding(law, 0.03)};
       p.drive(stretches(pressed, 1 / std::sqrt(pressed)));
@@ -256,13 +256,13 @@ TEST(Plasticity, WeakeningLawYieldsAtOnce) {
 }
 
 TEST(Plasticity, InvertedAndFlatStayAsTheyAre) {
-  for (const char* const law : allLaws)
+  for (const char* const law : flowLaws)
     for (const double x : {-0.5, 0.0})
       EXPECT_FALSE(plasticFlow(yielding(law, 0.01), stretches(x, 1) - one, {}, {}, 1).flows);
 }
 
 TEST(Plasticity, PushForwardKeepsTheStress) {
-  for (const char* const law : allLaws) {
+  for (const char* const law : flowLaws) {
     Point p{yielding(law, 0.05)};
     const Mat3d f = one + Mat3d{{{0.3, 0.5, 0}, {0, -0.2, 0.3}, {0.1, 0, 0.1}}};
     p.drive(rotation({1, 1, 0}, 1.57) * f);
@@ -274,7 +274,7 @@ TEST(Plasticity, PushForwardKeepsTheStress) {
 
 TEST(Plasticity, LoadingABodyGivesThePlateauAndRecordsTheLoss) {
   const auto points = lattice({4, 4, 4}, 0.1, 0.2);
-  for (const char* const law : allLaws) {
+  for (const char* const law : flowLaws) {
     Material m = elasticMaterial(1e6, 0.3);
     m.law.name = law;
     m.yieldStrain = {0.01, 0.01};

@@ -15,19 +15,9 @@
 namespace thaw {
 namespace {
 
+using test::addBall;
+using test::places;
 using test::RelaxRig;
-
-std::map<std::uint64_t, Vec3d> places(const Surfels& s) {
-  std::map<std::uint64_t, Vec3d> at;
-  for (std::size_t i = 0; i < s.owned; i++) at[s.id[i]] = s.position[i];
-  return at;
-}
-
-void addBall(RelaxRig& rig, double R, double noise = 0.1) {
-  rig.addLattice(static_cast<int>(R) + 1, {0.5, 0.5, 0.5}, [&](const Vec3d& x) { return length(x) < R; });
-  rig.addBallSurfels(R, noise);
-  rig.place();
-}
 
 TEST(Relax, LevelTableHasItsDerivative) {
   LevelTable table;

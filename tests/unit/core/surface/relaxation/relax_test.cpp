@@ -15,13 +15,9 @@
 namespace thaw {
 namespace {
 
+using test::addBall;
+using test::places;
 using test::RelaxRig;
-
-std::map<std::uint64_t, Vec3d> places(const Surfels& s) {
-  std::map<std::uint64_t, Vec3d> at;
-  for (std::size_t i = 0; i < s.owned; i++) at[s.id[i]] = s.position[i];
-  return at;
-}
 
 bool sameBits(const std::map<std::uint64_t, Vec3d>& a, const std::map<std::uint64_t, Vec3d>& b) {
   return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](const auto& x, const auto& y) {
@@ -29,17 +25,11 @@ bool sameBits(const std::map<std::uint64_t, Vec3d>& a, const std::map<std::uint6
          });
 }
 
-void addFloor(RelaxRig& rig, double z) {
+void addFloorAt(RelaxRig& rig, double z) {
   Domain domain = rig.w.scene.domain;
   domain.min.z = z;
   domain.side[2][0] = Side::Wall;
   addDomainWalls(domain, rig.w.walls);
-}
-
-void addBall(RelaxRig& rig, double R, double noise = 0.1) {
-  rig.addLattice(static_cast<int>(R) + 1, {0.5, 0.5, 0.5}, [&](const Vec3d& x) { return length(x) < R; });
-  rig.addBallSurfels(R, noise);
-  rig.place();
 }
 
 TEST(Relax, BallOfLatticeParticlesIsAccurate) {  // limits at R/dx = 16; the lattice has 0.57 % more volume
@@ -186,7 +176,7 @@ TEST(Relax, SolidsAreUnchanged) {
 
 TEST(Relax, RespectsObstaclesAndTheLowestLevel) {
   RelaxRig rig;
-  addFloor(rig, -4);
+  addFloorAt(rig, -4);
   addBall(rig, 5);
   rig.relaxSurfels(40);
   const Surfels& s = rig.w.surface.surfels;
@@ -208,7 +198,7 @@ TEST(Relax, RespectsObstaclesAndTheLowestLevel) {
 // by a few degrees.
 TEST(Relax, LiquidOnAWallComesToRest) {
   RelaxRig rig;
-  addFloor(rig, -4);
+  addFloorAt(rig, -4);
   addBall(rig, 5);
   rig.relaxSurfels(40);
   std::int64_t most = 0;

@@ -31,7 +31,7 @@ Obstacle plate(const Vec3d& low, const Vec3d& high) {
   return o;
 }
 
-std::string warningOf(const Scene& s) {
+std::string fallWarning(const Scene& s) {
   const Simulation run(s);
   for (const SceneWarning& w : run.report.warnings)
     if (w.text.find("falls out of the domain") != std::string::npos) return w.where.file + " " + w.text;
@@ -41,7 +41,7 @@ std::string warningOf(const Scene& s) {
 }  // namespace
 
 TEST(FallingLiquid, IsReportedWithTheTimeOfItsFall) {
-  const std::string text = warningOf(fallingCube());
+  const std::string text = fallWarning(fallingCube());
   EXPECT_EQ(text.find("cube.toml body 'cube' falls out"), 0u) << text;
   EXPECT_NE(text.find("the low z side is open"), std::string::npos) << text;
   EXPECT_NE(text.find("leave at 0.2 s"), std::string::npos) << text;  // sqrt(2 * 0.2 m / g) = 0.202 s
@@ -50,14 +50,14 @@ TEST(FallingLiquid, IsReportedWithTheTimeOfItsFall) {
 TEST(FallingLiquid, IsReportedUnlessAllIsAboveObstaclesInItsWay) {
   Scene s = fallingCube();
   s.obstacles.push_back(plate({0.1, -0.2, 0.05}, {0.2, 0.2, 0.055}));
-  EXPECT_NE(warningOf(s), "") << "the plate is beside the path";
+  EXPECT_NE(fallWarning(s), "") << "the plate is beside the path";
   s.bodies[0].velocity = {1, 0, 0};
-  EXPECT_EQ(warningOf(s), "") << "the water flies to the plate";
+  EXPECT_EQ(fallWarning(s), "") << "the water flies to the plate";
   s = fallingCube();
   s.obstacles.push_back(plate({-0.2, -0.2, 0.05}, {0.2, 0.2, 0.055}));
-  EXPECT_EQ(warningOf(s), "");
+  EXPECT_EQ(fallWarning(s), "");
   s.obstacles[0].until = 0.05;
-  EXPECT_NE(warningOf(s), "") << "the plate vanishes before";
+  EXPECT_NE(fallWarning(s), "") << "the plate vanishes before";
 }
 
 TEST(FallingLiquid, IsNotReportedAboveASolidBody) {
@@ -69,24 +69,24 @@ TEST(FallingLiquid, IsNotReportedAboveASolidBody) {
   block.material = 1;
   block.shape = boxOf({-0.05, -0.05, 0.05}, {0.05, 0.05, 0.1});
   s.bodies.push_back(block);
-  EXPECT_EQ(warningOf(s), "");
+  EXPECT_EQ(fallWarning(s), "");
 }
 
 TEST(FallingLiquid, IsNotReportedWithoutAnOpenSideBelowOrWithoutGravity) {
   Scene s = fallingCube();
   s.domain.side[2] = {Side::Wall, Side::Open};
-  EXPECT_EQ(warningOf(s), "");
+  EXPECT_EQ(fallWarning(s), "");
   s.domain.side[2] = {Side::Periodic, Side::Periodic};
-  EXPECT_EQ(warningOf(s), "");
+  EXPECT_EQ(fallWarning(s), "");
   s = fallingCube();
   s.domain.gravity = {};
-  EXPECT_EQ(warningOf(s), "");
+  EXPECT_EQ(fallWarning(s), "");
   s = fallingCube();
   s.end = 0.15;
-  EXPECT_EQ(warningOf(s), "") << "the scene ends before";
+  EXPECT_EQ(fallWarning(s), "") << "the scene ends before";
   s = fallingCube();
   s.domain.gravity = {0, 9.81, 0};
-  EXPECT_NE(warningOf(s).find("the high y side is open"), std::string::npos);
+  EXPECT_NE(fallWarning(s).find("the high y side is open"), std::string::npos);
 }
 
 TEST(FallingLiquid, OfAnEmitterIsReported) {
@@ -98,11 +98,11 @@ TEST(FallingLiquid, OfAnEmitterIsReported) {
   tap.centre = {0, 0, 0.2};
   tap.start = 0.25;
   s.emitters.push_back(tap);
-  const std::string text = warningOf(s);  // 0.25 s + 0.124 s at 1 m/s downwards
+  const std::string text = fallWarning(s);  // 0.25 s + 0.124 s at 1 m/s downwards
   EXPECT_NE(text.find("emitter 'tap' falls out of the domain"), std::string::npos) << text;
   EXPECT_NE(text.find("leave at 0.3"), std::string::npos) << text;
   s.obstacles.push_back(plate({-0.2, -0.2, 0.05}, {0.2, 0.2, 0.055}));
-  EXPECT_EQ(warningOf(s), "");
+  EXPECT_EQ(fallWarning(s), "");
 }
 
 }  // namespace thaw::test

@@ -21,7 +21,7 @@ Scene cube() {
   return s;
 }
 
-std::string warningOf(const Scene& s) {
+std::string stepWarning(const Scene& s) {
   const Simulation run(s);
   for (const SceneWarning& w : run.report.warnings)
     if (w.text.find("numerics.fixed_step") != std::string::npos) return w.where.file + ": " + w.text;
@@ -32,31 +32,32 @@ std::string warningOf(const Scene& s) {
 
 TEST(FixedStep, IsReportedWithTheLimitThatItExceeds) {
   Scene s = cube();
-  EXPECT_EQ(warningOf(s), "");
+  EXPECT_EQ(stepWarning(s), "");
   s.numerics.fixedStep = 1e-3;  // sound: 0.4 * 2 * 0.01 m / (20 m/s) = 4e-4 s
-  const std::string text = warningOf(s);
+  const std::string text = stepWarning(s);
   EXPECT_EQ(text.find("cube.toml: numerics.fixed_step: steps of 0.001 s are longer than the limit of sound, "
                       "0.0004 s: "),
             0u)
       << text;
   EXPECT_NE(text.find("to 0.000396 s or less"), std::string::npos) << text;
   s.numerics.fixedStep = 3.9e-4;
-  EXPECT_EQ(warningOf(s), "");
+  EXPECT_EQ(stepWarning(s), "");
 }
 
 TEST(FixedStep, IsReportedWithAllLimitsThatItExceeds) {
   Scene s = cube();
   s.numerics.fixedStep = 1e-3;
   s.numerics.maxStep = 2e-4;
-  EXPECT_NE(warningOf(s).find("the limit of max_step, 0.0002 s (also sound, 0.0004 s): "), std::string::npos)
-      << warningOf(s);
+  EXPECT_NE(stepWarning(s).find("the limit of max_step, 0.0002 s (also sound, 0.0004 s): "),
+            std::string::npos)
+      << stepWarning(s);
 }
 
 TEST(FixedStep, IsComparedAfterItIsShortenedToFrames) {
   Scene s = cube();
   s.numerics.fixedStep = 1e-3;
   s.output.every = 3.9e-4;
-  EXPECT_EQ(warningOf(s), "");
+  EXPECT_EQ(stepWarning(s), "");
 }
 
 }  // namespace thaw::test

@@ -33,7 +33,7 @@ Scene glassOfWater(double wall, bool water = true) {
   return s;
 }
 
-std::string warningOf(const Scene& s) {
+std::string wallWarning(const Scene& s) {
   const Simulation run(s);
   for (const SceneWarning& w : run.report.warnings)
     if (w.text.find("walls thinner than") != std::string::npos) return w.where.file + " " + w.text;
@@ -43,14 +43,14 @@ std::string warningOf(const Scene& s) {
 }  // namespace
 
 TEST(ThinWalls, BelowTwoSpacingsAreReportedWithTheirPlace) {
-  const std::string one = warningOf(glassOfWater(1));
+  const std::string one = wallWarning(glassOfWater(1));
   EXPECT_EQ(one.find("glass.toml body 'glass': "), 0u) << one;
   EXPECT_NE(one.find("about 0.01 m at ("), std::string::npos) << one;
   EXPECT_NE(one.find("reduce the spacing to 0.005 m or less"), std::string::npos) << one;
-  EXPECT_NE(warningOf(glassOfWater(1.5)), "");
-  EXPECT_EQ(warningOf(glassOfWater(2.1)), "");
+  EXPECT_NE(wallWarning(glassOfWater(1.5)), "");
+  EXPECT_EQ(wallWarning(glassOfWater(2.1)), "");
 }
 
-TEST(ThinWalls, AreNotReportedWithoutALiquid) { EXPECT_EQ(warningOf(glassOfWater(1, false)), ""); }
+TEST(ThinWalls, AreNotReportedWithoutALiquid) { EXPECT_EQ(wallWarning(glassOfWater(1, false)), ""); }
 
 }  // namespace thaw::test

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pressure sums for the packing of bodies.
+#pragma once
+#include <vector>
+
+#include "core/fluid/pair_sums/pair_sum_work.hpp"
+#include "core/halo/halos.hpp"
+#include "core/materials/liquid_materials.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+/// Searches, and adds to Continuum::force the force of a uniform pressure of 1 Pa, -2 V_i sum V_j grad W (N).
+/// Requires: ghosts.
+void sumUnitPressure(World& world, const std::vector<LiquidMaterial>& liquids, PairSumWork& work);
+
+/// After sumUnitPressure, at the same positions: computes the relative density (without walls), and a force
+/// in Continuum::force. Its pressure is 1 Pa times the excess of liquids' relative density above 1. It is
+/// -V_i times the gradient (1/m), with respect to the position of i, of half the sum of squared excesses.
+/// Collective.
+void sumExcessPressure(World& world, CellHalo& halo, const std::vector<LiquidMaterial>& liquids,
+                       PairSumWork& work);
+
+}  // namespace thaw

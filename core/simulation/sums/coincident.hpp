@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Particles at the same place.
+#pragma once
+#include <cstdint>
+
+#include "core/fluid/pair_sums/records.hpp"
+#include "core/simulation/world/world.hpp"
+
+namespace thaw {
+
+/// Gives coincident particles a tiny opposite impulse, with a direction derived from the id
+/// (docs/validation/stability.md, row 9). before: Counters::coincidentPairs before the sums. Called at the
+/// end of an evaluation; takes effect in the next step.
+void separateCoincident(World& world, const PairRecords& records, std::int64_t before);
+
+}  // namespace thaw

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rigid pieces in solvers of velocities.
+#pragma once
+#include <optional>
+
+#include "core/halo/halos.hpp"
+#include "core/rigid/piece_joint.hpp"
+#include "core/simulation/views/views.hpp"
+
+namespace thaw {
+
+/// Returns the joint of the scene's rigid pieces; none without them.
+inline std::optional<PieceJoint> jointOfPieces(World& w, Halos& halos, RigidWork& rigid) {
+  std::optional<PieceJoint> joint;
+  if (w.modules.rigid) joint.emplace(rigidView(w, rigid), halos.all);
+  return joint;
+}
+
+}  // namespace thaw
