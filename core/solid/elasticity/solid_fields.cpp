@@ -19,9 +19,11 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
   work.periodic = grid.periodic[0] || grid.periodic[1] || grid.periodic[2];
   work.plastic = modules.plastic;
   work.touch = modules.contact ? contactDistance * scene.spacing : 0;
-  bool rereferences = false, hardens = false, limited = false;
+  bool rereferences = false, hardens = false, limited = false, inlined = false;
   for (const Material& m : work.materials) {
     work.solidConstants.push_back(elasticConstants(m, 0));
+    work.lawLoops.push_back(work.solidConstants.back().law->law->kernels.deformation);
+    inlined = inlined || (m.canBeSolid() && work.lawLoops.back());
     if (!m.canBeSolid()) continue;
     if (modules.fracture) work.minBreakStretch = std::min(work.minBreakStretch, m.breakStretch);
     work.damping = work.damping || m.damping > 0;
@@ -31,6 +33,7 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
               (modules.plastic && work.solidConstants.back().yield < never && m.maxPlasticStrain < never);
     hardens = hardens || (modules.plastic && m.hardening > 0);
   }
+  if (!inlined) work.lawLoops.clear();
   // If references are ever renewed, each bond has its own. Otherwise all bonds share the initial
   // configuration.
   const bool vectors = modules.freezing || modules.welding || rereferences;
