@@ -85,22 +85,23 @@ const ElasticKernels& kernelsOf(const ElasticWork& work) {
   return work.kernels ? *work.kernels : *elasticKernels();
 }
 
-/// Returns the loop over deformations for a group: that of an extension's law which all its solids have, or
-/// that of the library.
-auto loopOf(const ElasticWork& work, const Solids& solids, std::size_t group) {
+/// Returns the loop for a group: that of an extension's law which all its solids have, or that of the
+/// library. Requires: lawLoops by material.
+LawLoop loopOf(const ElasticWork& work, const Solids& solids, std::size_t group) {
   const std::size_t first = group * lanes, last = std::min<std::size_t>(first + lanes, solids.owned);
-  const auto loop = work.lawLoops[solids.material[first]];
+  const LawLoop loop = work.lawLoops[solids.material[first]];
   for (std::size_t s = first + 1; s < last; s++)
     if (work.lawLoops[solids.material[s]] != loop) return kernelsOf(work).deformation;
   return loop ? loop : kernelsOf(work).deformation;
 }
 
-/// Runs the loop over deformations for the groups of the arrays.
+/// Runs the loop over bonds that computes deformation and stress, for the groups of the arrays.
 void deform(const ElasticWork& work, const Solids& solids, ElasticArrays& a) {
   if (work.lawLoops.empty()) return kernelsOf(work).deformation(a);
+  if (work.lawLoops.size() == 1) return work.lawLoops[0](a);
   const std::span<const std::uint32_t> groups{a.groups, a.groupCount};
   for (std::size_t begin = 0, end = 1; begin < groups.size(); begin = end++) {
-    const auto loop = loopOf(work, solids, groups[begin]);
+    const LawLoop loop = loopOf(work, solids, groups[begin]);
     while (end < groups.size() && loopOf(work, solids, groups[end]) == loop) end++;
     a.groups = groups.data() + begin;
     a.groupCount = end - begin;

@@ -31,10 +31,10 @@ template<class Law> __attribute__((flatten)) void respondLanes(const LawGroup& g
   g.single ? respondLanesIn<Law, float>(g) : respondLanesIn<Law, double>(g);
 }
 
-/// The law alone, which the bond loop inlines.
+/// The law alone. The loop with it is valid for other laws, too, which it calls.
 template<class Law> struct OneLaw {
-  template<class F> static THAW_INLINE bool at(const ElasticLaw&, F&& f) {
-    return f.template operator()<Law>(), true;
+  template<class F> static THAW_INLINE bool at(const ElasticLaw& law, F&& f) {
+    return law.kernels.lanes == respondLanes<Law> ? (f.template operator()<Law>(), true) : false;
   }
 };
 

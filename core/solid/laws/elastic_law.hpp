@@ -28,13 +28,16 @@ struct LawGroup {
   bool single = false;  ///< bonds are in single precision (LawDefaults::doubleStress)
 };
 
+/// The loop over bonds that computes deformation and stress of groups.
+using LawLoop = void (*)(ElasticArrays&);
+
 /// Functions of a law on one instruction set, from lawKernels<Law>()
 /// (core/solid/elasticity/extension_law_lanes.hpp), for THAW_CHOOSE (core/simd/choose.hpp).
 struct LawKernels {
   void (*lanes)(const LawGroup&) = nullptr;
-  /// The loop over bonds with the law inlined, for groups of solids that all have it; null: that of the
-  /// library, which calls `lanes`.
-  void (*deformation)(ElasticArrays&) = nullptr;
+  /// The loop with the law inlined, for groups of solids that all have it; null: that of the library, which
+  /// calls `lanes`.
+  LawLoop deformation = nullptr;
 };
 
 /// Energy density and first Piola stress of one particle, both Pa.
