@@ -438,7 +438,7 @@ TEST(ExtensionLaws, HaveTheBitsOfTheBuiltInInGroupsWithOtherLaws) {
 TEST(ExtensionLaws, HaveTheSameBitsOnAnyNumberOfRanks) {
   for (const LawCopy& c : lawCopies)
     for (const std::string& text : {std::string(block) + "law = \"" + c.name + "\"\n" + c.numerics,
-                                   blocksWith(c.name, "green", c.numerics)}) {
+                                    blocksWith(c.name, "green", c.numerics)}) {
       Simulation sim = simulationOf(text), alone = simulationOf(text, MPI_COMM_SELF);
       sim.runSteps(30);
       alone.runSteps(30);

@@ -61,6 +61,7 @@ __attribute__((flatten)) void deformationOf(ElasticArrays& a) {
   alignas(64) PlasticLanes plastic;
   T largest(Real(1));
   const T breakStretch2(static_cast<Real>(a.breakStretch2));
+  const Sym3d none{};
   for (std::size_t gi = 0; gi < a.groupCount; gi++) {
     const std::size_t g = a.groups[gi], s0 = 8 * g, base = g * a.capacity * 8;
     const int n = a.owned - s0 < 8 ? static_cast<int>(a.owned - s0) : 8;
@@ -68,9 +69,10 @@ __attribute__((flatten)) void deformationOf(ElasticArrays& a) {
     // stalls.
     loadLaneConstants(a, s0, n, c);
     for (int l = 0; l < 8; l++) {
-      const Sym3d m = l < n ? a.momentInverse[s0 + static_cast<std::size_t>(l)] : Sym3d{};
-      inverse[0][l] = m.xx, inverse[1][l] = m.yy, inverse[2][l] = m.zz, inverse[3][l] = m.xy,
-      inverse[4][l] = m.yz, inverse[5][l] = m.xz;
+      // a pointer: compilers copy a conditional value through memory
+      const Sym3d* m = l < n ? a.momentInverse + s0 + l : &none;
+      inverse[0][l] = m->xx, inverse[1][l] = m->yy, inverse[2][l] = m->zz, inverse[3][l] = m->xy,
+      inverse[4][l] = m->yz, inverse[5][l] = m->xz;
     }
     bonds.begin(rowsOfSolids(s0, n));
     const std::size_t end = base + std::size_t(a.bondCount[g]) * 8;
