@@ -19,29 +19,13 @@
 #include "core/terms/extensions.hpp"
 #include "io/simulation/simulation.hpp"
 #include "parallel/communicator.hpp"
-#include "tests/support/extensions/kernels.hpp"
+#include "tests/support/extensions/copies.hpp"
 
 namespace {
 
 using namespace thaw;
 
 constexpr int stepsOfBlock = 5;
-
-void registerCopies() {
-  const auto pack = [](const PairPacking& to) {
-    const double root = std::sqrt(to.settings.values.at("tension"));
-    for (std::size_t i = to.begin; i < to.end; i++)
-      to.values[i - to.begin].x = root * to.particles.mass[i] /
-                                  to.scene.materials[to.particles.material[i]].density;
-  };
-  registerExtension({.name = "copy_of_tension",
-                     .about = "pairwise surface tension",
-                     .keys = {{"tension", "N/m", 1, 0, 1e3, ""}},
-                     .pairForce = {.kernels = test::extensionKernels()->tension, .pack = pack}});
-  registerExtension({.name = "copy",
-                     .about = "Neo-Hookean",
-                     .law = {.lanes = test::extensionKernels()->neoHookean, .resistsInversion = true}});
-}
 
 std::string sceneOf(const std::string& spacing, const std::string& material, const std::string& more) {
   return "spacing = " + spacing +
@@ -67,14 +51,18 @@ std::vector<Comparison> comparisons(const std::string& spacing) {
                     pairs =
                         "[numerics]\ntension = \"pairwise\"\nfixed_step = 2e-4\ndensity = \"summation\"\n"
                         "shifting = 0\nviscosity_correction = false\n",
-                    fixed = "[numerics]\nfixed_step = 2e-4\n";
+                    fixed = "[numerics]\nfixed_step = 2e-4\n",
+                    single = fixed + "elastic_precision = \"single\"\n";
   return {{"pair force",
            {{"built-in", sceneOf(spacing, liquid + "surface_tension = 1\n", pairs)},
             {"extension", sceneOf(spacing, liquid, pairs + "[extension.copy_of_tension]\n")},
             {"none", sceneOf(spacing, liquid, pairs)}}},
           {"elastic law",
            {{"built-in", sceneOf(spacing, elastic + "law = \"neo-hookean\"\n", fixed)},
-            {"extension", sceneOf(spacing, elastic + "law = \"copy\"\n", fixed)}}}};
+            {"extension", sceneOf(spacing, elastic + "law = \"copy\"\n", fixed)}}},
+          {"single elastic law",
+           {{"built-in", sceneOf(spacing, elastic + "law = \"neo-hookean\"\n", single)},
+            {"extension", sceneOf(spacing, elastic + "law = \"single_copy\"\n", single)}}}};
 }
 
 double blockOf(Simulation& sim) {
@@ -99,7 +87,7 @@ void measure(const Comparison& c, int blocks, std::ostream* csv) {
   for (std::size_t k = 0; k < sims.size(); k++) {
     const std::size_t particles = sims[k].particles().owned;
     const double ratio = fastest[k] / fastest[0];
-    std::printf("%-12s %-10s %zu particles  %.4f ms a step  ratio %.4f\n", c.part.c_str(),
+    std::printf("%-18s %-10s %zu particles  %.4f ms a step  ratio %.4f\n", c.part.c_str(),
                 c.variants[k].name.c_str(), particles, 1e3 * fastest[k], ratio);
     if (csv)
       *csv << c.part << ',' << c.variants[k].name << ',' << particles << ',' << 1e3 * fastest[k] << ','
@@ -120,7 +108,8 @@ int main(int argc, char** argv) {
     if (key == "--spacing") spacing = argv[k + 1];
     if (key == "--blocks") blocks = std::max(1, std::atoi(argv[k + 1]));
   }
-  registerCopies();
+  for (Extension e : {test::copyOfTension(), test::copyOfNeoHookean(), test::singleCopyOfNeoHookean()})
+    registerExtension(std::move(e));
   std::vector<Comparison> all = comparisons(spacing);
   std::ofstream csv;
   if (!file.empty()) {

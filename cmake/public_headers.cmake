@@ -6,7 +6,7 @@ set(public
   core/terms/extensions.hpp           # forces, fields, laws and shapes with keys in scenes
   core/fluid/terms/extension_pair_force_term.hpp
   core/simd/choose.hpp
-  core/solid/laws/extension_law_lanes.hpp
+  core/solid/elasticity/extension_law_lanes.hpp
   core/simulation/world/body_types.hpp
   core/simulation/ledger/report.hpp   # energy, momentum and mass
   core/math/exact_sum.hpp

@@ -53,7 +53,7 @@ struct Extension {
   /// Makes the update of the fields; none: only loads and hooks set them.
   std::function<FieldUpdate(const ExtensionSettings&)> update = {};
   PairForce pairForce = {};  ///< with kernels
-  ElasticLaw law = {};       ///< with lanes or response
+  ElasticLaw law = {};       ///< with kernels or response
   ShapeMaker shape = {};
   bool heats = false;                   ///< its load adds heat: a scene that names it has heat
   bool builtIn = false;                 ///< in the library: all programs have it
@@ -61,7 +61,7 @@ struct Extension {
 
   /// Returns true if it has a part that [extension.NAME] turns on.
   bool usesTable() const { return !model && (load || !fields.empty() || update || pairForce.kernels.sum); }
-  bool hasLaw() const { return law.lanes || law.response; }
+  bool hasLaw() const { return law.kernels.lanes || law.response; }
 };
 
 /// Makes an extension known to all scenes that are read afterwards. Throws std::invalid_argument for a name

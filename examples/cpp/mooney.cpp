@@ -21,7 +21,7 @@ thaw::Extension law() {
       .name = "mooney",
       .about = "compressible Mooney-Rivlin material",
       .keys = {{"share", "", 0.2, 0, 1, "share of the second invariant in the shear modulus"}},
-      .law = {.lanes = chooseKernels("")->lanes,
+      .law = {.kernels = *chooseKernels(""),
               .stiffening = [](double stretch2, const thaw::LawValues&) { return stretch2 * stretch2; }},
   };
 }

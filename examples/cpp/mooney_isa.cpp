@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The law of mooney.cpp, compiled once for each instruction set.
-#include "core/solid/laws/extension_law_lanes.hpp"
+#include "core/solid/elasticity/extension_law_lanes.hpp"
 
 namespace mooney {
 namespace THAW_ISA {
@@ -47,7 +47,7 @@ struct Law {
 
 const thaw::LawKernels& kernels();
 const thaw::LawKernels& kernels() {
-  static constexpr thaw::LawKernels ours{lanes::respondLanes<Law>};
+  static constexpr thaw::LawKernels ours = lanes::lawKernels<Law>();
   return ours;
 }
 

@@ -17,7 +17,7 @@ for file in share/man/man1/thaw.1 share/bash-completion/completions/thaw share/t
   share/thaw/scenes/dam_break.toml; do
   [ -s "$prefix/$file" ] || fail "$file is not installed"
 done
-for header in core/solid/elasticity/elastic_lanes.hpp io/commands/run.hpp; do  # no part of the interface
+for header in core/solid/elasticity/moment.hpp io/commands/run.hpp; do  # no part of the interface
   [ ! -e "$prefix/include/thaw/$header" ] || fail "$header is installed"
 done
 

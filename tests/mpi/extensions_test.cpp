@@ -3,6 +3,7 @@
 // and after a restart.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <filesystem>
@@ -17,6 +18,7 @@
 #include "io/scene/read_scene.hpp"
 #include "io/simulation/simulation.hpp"
 #include "parallel/communicator.hpp"
+#include "tests/support/extensions/copies.hpp"
 #include "tests/support/extensions/kernels.hpp"
 
 namespace thaw {
@@ -73,7 +75,7 @@ Extension age() {
           }};
 }
 
-/// Springs whose first value is 1 + z / m at the start (field `charge`), and copies of the pairwise tension.
+/// Springs whose first value is 1 + z / m at the start (field `charge`).
 Extension springs() {
   return {.name = "springs",
           .about = "springs between liquid particles",
@@ -86,26 +88,7 @@ Extension springs() {
                         }}};
 }
 
-Extension copyOfTension() {
-  return {.name = "copy_of_tension",
-          .about = "pairwise surface tension",
-          .keys = {{"tension", "N/m", 1, 0, 1e3, ""}},
-          .pairForce = {.kernels = test::extensionKernels()->tension, .pack = [](const PairPacking& to) {
-                          const double root = std::sqrt(to.settings.values.at("tension"));
-                          for (std::size_t i = to.begin; i < to.end; i++)
-                            to.values[i - to.begin].x = root * to.particles.mass[i] /
-                                                        to.scene.materials[to.particles.material[i]].density;
-                        }}};
-}
-
-Extension copyOfNeoHookean() {
-  return {.name = "copy",
-          .about = "Neo-Hookean",
-          .keys = {{"unused", "", 1}},
-          .law = {.lanes = test::extensionKernels()->neoHookean, .resistsInversion = true}};
-}
-
-/// The same by a function of one particle.
+/// The Neo-Hookean law by a function of one particle.
 Extension scalarCopyOfNeoHookean() {
   return {
       .name = "scalar_copy",
@@ -117,15 +100,6 @@ Extension scalarCopyOfNeoHookean() {
         const ElasticResponse r = elasticResponse(c, gradU);
         return {r.energy, r.stress};
       }}};
-}
-
-Extension copyOfBall() {
-  return {.name = "ball",
-          .about = "a sphere",
-          .keys = {{"size", "m", 0.1, 1e-9, 10, "radius"}},
-          .shape = [](const ExtensionSettings& s) {
-            return std::make_shared<SphereDistance>(s.values.at("size"));
-          }};
 }
 
 /// A force along gravity on the particles on one side of a moving obstacle, over the mass of all particles.
@@ -150,8 +124,8 @@ Extension shade() {
 void registerAll() {
   if (findExtension("age")) return;
   registerExtension(shade());
-  for (Extension e :
-       {age(), springs(), copyOfTension(), copyOfNeoHookean(), scalarCopyOfNeoHookean(), copyOfBall()})
+  for (Extension e : {age(), springs(), test::copyOfTension(), test::copyOfNeoHookean(),
+                      test::singleCopyOfNeoHookean(), scalarCopyOfNeoHookean(), test::copyOfBall()})
     registerExtension(std::move(e));
 }
 
@@ -418,12 +392,58 @@ TEST(ExtensionLaws, CopyOfNeoHookeanEqualsTheBuiltIn) {
   }
 }
 
+/// A copy of the Neo-Hookean law and the precision of bonds in which it has the bits of the library.
+struct LawCopy {
+  std::string name, numerics;
+};
+const std::array<LawCopy, 2> lawCopies{{{"copy", "[numerics]\nelastic_precision = \"double\"\n"},
+                                        {"single_copy", "[numerics]\nelastic_precision = \"single\"\n"}}};
+
+TEST(ExtensionLaws, HaveTheBitsOfTheBuiltIn) {
+  for (const LawCopy& c : lawCopies) {
+    Simulation built = blockWith("neo-hookean", c.numerics), copy = blockWith(c.name, c.numerics);
+    built.runSteps(30), copy.runSteps(30);
+    EXPECT_EQ(wholeStateOf(built), wholeStateOf(copy)) << c.name;
+    EXPECT_EQ(built.ledger().now.elastic, copy.ledger().now.elastic) << c.name;
+  }
+}
+
+/// Two blocks that touch, one with the law and one with another.
+std::string blocksWith(const std::string& law, const std::string& other, const std::string& numerics) {
+  return std::string(block) + "law = \"" + law + R"("
+[material.wax]
+density = 900
+young = "200 kPa"
+law = ")" +
+         other + R"("
+[[body]]
+name = "top"
+box = { size = [0.4, 0.3, 0.3] }
+material = "wax"
+place = { move = [0, 0, 0.3] }
+)" + numerics;
+}
+
+TEST(ExtensionLaws, HaveTheBitsOfTheBuiltInInGroupsWithOtherLaws) {
+  for (const LawCopy& c : lawCopies)
+    for (const char* other : {"neo-hookean", "corotated"}) {
+      Simulation built = simulationOf(blocksWith("neo-hookean", other, c.numerics), MPI_COMM_SELF),
+                 copy = simulationOf(blocksWith(c.name, other, c.numerics), MPI_COMM_SELF);
+      built.runSteps(30), copy.runSteps(30);
+      EXPECT_EQ(wholeStateOf(built), wholeStateOf(copy)) << c.name << " and " << other;
+      EXPECT_EQ(built.ledger().now.elastic, copy.ledger().now.elastic) << c.name << " and " << other;
+    }
+}
+
 TEST(ExtensionLaws, HaveTheSameBitsOnAnyNumberOfRanks) {
-  const std::string text = std::string(block) + "law = \"copy\"\n";
-  Simulation sim = simulationOf(text), alone = simulationOf(text, MPI_COMM_SELF);
-  sim.runSteps(30);
-  alone.runSteps(30);
-  expectSameBits(sim, alone);
+  for (const LawCopy& c : lawCopies)
+    for (const std::string& text : {std::string(block) + "law = \"" + c.name + "\"\n" + c.numerics,
+                                    blocksWith(c.name, "green", c.numerics)}) {
+      Simulation sim = simulationOf(text), alone = simulationOf(text, MPI_COMM_SELF);
+      sim.runSteps(30);
+      alone.runSteps(30);
+      expectSameBits(sim, alone);
+    }
 }
 
 TEST(ExtensionLaws, StressIsTheDerivativeOfTheEnergy) {
@@ -516,7 +536,7 @@ TEST(Extensions, WithoutPartsOrWithTakenNamesAreRefused) {
   };
   for (const char* name : {"velocity", "density", "age", "two words", ""})
     EXPECT_THROW(registerExtension(withField(name)), std::invalid_argument) << name;
-  Extension many = copyOfNeoHookean();
+  Extension many = test::copyOfNeoHookean();
   many.name = "many";
   for (int k = 0; k < 9; k++) many.keys.push_back({"key" + std::to_string(k), "", 0});
   EXPECT_THROW(registerExtension(many), std::invalid_argument);

@@ -85,6 +85,30 @@ const ElasticKernels& kernelsOf(const ElasticWork& work) {
   return work.kernels ? *work.kernels : *elasticKernels();
 }
 
+/// Returns the loop for a group: that of an extension's law which all its solids have, or that of the
+/// library. Requires: lawLoops by material.
+LawLoop loopOf(const ElasticWork& work, const Solids& solids, std::size_t group) {
+  const std::size_t first = group * lanes, last = std::min<std::size_t>(first + lanes, solids.owned);
+  const LawLoop loop = work.lawLoops[solids.material[first]];
+  for (std::size_t s = first + 1; s < last; s++)
+    if (work.lawLoops[solids.material[s]] != loop) return kernelsOf(work).deformation;
+  return loop ? loop : kernelsOf(work).deformation;
+}
+
+/// Runs the loop over bonds that computes deformation and stress, for the groups of the arrays.
+void deform(const ElasticWork& work, const Solids& solids, ElasticArrays& a) {
+  if (work.lawLoops.empty()) return kernelsOf(work).deformation(a);
+  if (work.lawLoops.size() == 1) return work.lawLoops[0](a);
+  const std::span<const std::uint32_t> groups{a.groups, a.groupCount};
+  for (std::size_t begin = 0, end = 1; begin < groups.size(); begin = end++) {
+    const LawLoop loop = loopOf(work, solids, groups[begin]);
+    while (end < groups.size() && loopOf(work, solids, groups[end]) == loop) end++;
+    a.groups = groups.data() + begin;
+    a.groupCount = end - begin;
+    loop(a);
+  }
+}
+
 /// Lists the different laws of a group with their lanes.
 void listLaws(LaneConstants& c) {
   c.laws = 0;
@@ -214,7 +238,7 @@ ElasticResult computeDeformationAndStress(ElasticWork& work, Solids& solids, con
                  [&](std::size_t first, std::size_t last) { packPositions(work, solids, first, last); });
   else packPositions(work, solids, solids.owned, solids.size());
   ElasticArrays a = arraysOf(work, solids, bonds, step, part);
-  kernelsOf(work).deformation(a);
+  deform(work, solids, a);
   return {a.inverted, a.squeezed, a.maxStretch2};
 }
 
@@ -226,7 +250,7 @@ void repeatDeformation(ElasticWork& work, Solids& solids, const Bonds& bonds, co
   a.dt = 0;
   a.keepDissipated = true;
   a.flow = false;
-  kernelsOf(work).deformation(a);
+  deform(work, solids, a);
 }
 
 void computeElasticForces(ElasticWork& work, Solids& solids, Bonds& bonds, const ElasticStep& step,

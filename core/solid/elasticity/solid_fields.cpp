@@ -7,6 +7,22 @@
 #include "core/solid/elasticity/elastic.hpp"
 
 namespace thaw {
+namespace {
+
+/// Returns ElasticWork::lawLoops.
+std::vector<LawLoop> lawLoopsOf(const ElasticWork& work) {
+  std::vector<LawLoop> all, used;
+  for (std::size_t m = 0; m < work.materials.size(); m++) {
+    all.push_back(work.solidConstants[m].law->law->kernels.deformation);
+    if (work.materials[m].canBeSolid()) used.push_back(all.back());
+  }
+  if (used.empty()) return {};
+  const bool same = std::all_of(used.begin(), used.end(), [&](LawLoop loop) { return loop == used[0]; });
+  if (!same) return all;
+  return used[0] ? std::vector{used[0]} : std::vector<LawLoop>{};
+}
+
+}  // namespace
 
 void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, ElasticWork& work,
                          const Scene& scene, const Modules& modules, const CellGrid& grid) {
@@ -31,6 +47,7 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
               (modules.plastic && work.solidConstants.back().yield < never && m.maxPlasticStrain < never);
     hardens = hardens || (modules.plastic && m.hardening > 0);
   }
+  work.lawLoops = lawLoopsOf(work);
   // If references are ever renewed, each bond has its own. Otherwise all bonds share the initial
   // configuration.
   const bool vectors = modules.freezing || modules.welding || rereferences;

@@ -45,8 +45,8 @@ std::map<std::string, KnownLaw>& knownLaws() {
 }  // namespace
 
 void addElasticLaw(const std::string& name, ElasticLaw law, std::vector<std::string> keys) {
-  if (!law.lanes && !law.response)
-    throw std::invalid_argument("extension '" + name + "': its law needs `lanes` or `response`");
+  if (!law.kernels.lanes && !law.response)
+    throw std::invalid_argument("extension '" + name + "': its law needs `kernels` or `response`");
   if (keys.size() > mostLawKeys)
     throw std::invalid_argument("extension '" + name + "': a law has at most " + std::to_string(mostLawKeys) +
                                 " keys");
@@ -81,7 +81,7 @@ LawResponse responseOf(const BoundLaw& bound, const Mat3d& gradU, double lambda,
   alignas(64) double gradient[9][8]{}, stress[9][8]{}, lambdas[8]{}, mus[8]{}, energy[8]{};
   setLaneMatrix(gradU, gradient, 0);
   lambdas[0] = lambda, mus[0] = mu;
-  bound.law->lanes({gradient, lambdas, mus, bound.values, stress, energy});
+  bound.law->kernels.lanes({gradient, lambdas, mus, bound.values, stress, energy});
   return {energy[0], laneMatrix(stress, 0)};
 }
 
@@ -98,7 +98,7 @@ void takeLogarithmsOfLanes(double values[8]) {
 }
 
 void respondGroup(const ElasticLaw& law, const LawGroup& g) {
-  if (law.lanes) return law.lanes(g);
+  if (law.kernels.lanes) return law.kernels.lanes(g);
   for (int l = 0; l < 8; l++) {
     const LawResponse r = law.response(laneMatrix(g.gradient, l), g.lambda[l], g.mu[l], g.values);
     setLaneMatrix(r.stress, g.stress, l);

@@ -13,6 +13,7 @@
 
 namespace thaw {
 
+struct ElasticArrays;
 struct ExtensionSettings;
 struct Material;
 
@@ -24,11 +25,19 @@ struct LawGroup {
   const LawValues& values;
   double (*stress)[8];  ///< Pa, out: first Piola stress by [row][column][lane]
   double* energy;       ///< Pa, out: energy density by lane; null: not needed
+  bool single = false;  ///< bonds are in single precision (LawDefaults::doubleStress)
 };
 
-/// The function of a law for one instruction set, for THAW_CHOOSE (core/simd/choose.hpp).
+/// The loop over bonds that computes deformation and stress of groups.
+using LawLoop = void (*)(ElasticArrays&);
+
+/// Functions of a law on one instruction set, from lawKernels<Law>()
+/// (core/solid/elasticity/extension_law_lanes.hpp), for THAW_CHOOSE (core/simd/choose.hpp).
 struct LawKernels {
   void (*lanes)(const LawGroup&) = nullptr;
+  /// The loop with the law inlined, for groups of solids that all have it; null: that of the library, which
+  /// calls `lanes`.
+  LawLoop deformation = nullptr;
 };
 
 /// Energy density and first Piola stress of one particle, both Pa.
@@ -38,11 +47,10 @@ struct LawResponse {
 };
 
 /// An elastic law, psi(F) with P = dpsi/dF. At rest psi = 0 and P = 0, and small strains follow Hooke's law
-/// with lambda and mu, from which other limits are computed. Give `lanes`
-/// (core/solid/laws/extension_law_lanes.hpp compiles it for each instruction set), or `response`, which is
-/// called for one particle at a time. Laws of the library are made from laws.hpp.
+/// with lambda and mu, from which other limits are computed. Give `kernels`, or `response`, which is called
+/// for one particle at a time. Laws of the library are made from laws.hpp.
 struct ElasticLaw {
-  void (*lanes)(const LawGroup&) = nullptr;
+  LawKernels kernels = {};
   std::function<LawResponse(const Mat3d& gradU, double lambda, double mu, const LawValues&)> response = {};
   /// Principal Kirchhoff stresses (Pa) for principal stretches, for plastic flow. None: from the stress of
   /// the diagonal F.
@@ -52,7 +60,7 @@ struct ElasticLaw {
   std::function<double(double largestStretch2, const LawValues&)> stiffening = {};
   bool resistsInversion = false;  ///< an inverted particle returns
   bool boundsStress = false;      ///< as LawDefaults::boundsStress
-  int builtIn = -1;               ///< place in BuiltInLaws: the bond loops inline it; -1: of an extension
+  int builtIn = -1;  ///< place in BuiltInLaws: the library's loop inlines it; -1: of an extension
 };
 
 /// A law with the values of a material, equal for equal values.
@@ -71,7 +79,7 @@ struct BuiltInLaw {
 const std::vector<BuiltInLaw>& builtInLaws();
 
 /// Makes a law known by its name. keys: names of its keys. Throws std::invalid_argument for a law without
-/// `lanes` and `response`, or with more than mostLawKeys keys.
+/// `kernels` and `response`, or with more than mostLawKeys keys.
 void addElasticLaw(const std::string& name, ElasticLaw law, std::vector<std::string> keys);
 /// Returns the law and the values of a material; it stays valid. Throws std::invalid_argument if there is no
 /// such law.

@@ -29,10 +29,11 @@ template<class T> struct LawPoint {
   Mat3<T> gradient;  ///< F - 1: its rounding is small at small strains
 };
 
-/// Natural logarithm. For lanes: extension_law_lanes.hpp.
+/// Natural logarithm. For lanes: core/solid/elasticity/law_lanes.hpp.
 inline double logarithm(double a) { return std::log(a); }
 
-/// Base of the laws of the library (laws.hpp). A law has `name`, `about`, and
+/// Base of the laws of the library (laws.hpp), and of those laws of extensions that change a member. A law
+/// of the library has `name`, `about`, and
 ///   template<class T> static Mat3<T> stress(const LawPoint<T>&);  // Pa, first Piola stress
 ///   template<class T> static T energy(const LawPoint<T>&);        // Pa, energy density
 /// and may have
@@ -51,6 +52,17 @@ struct LawDefaults {
   /// Plastic flow then skips what is surely below the yield stress.
   static constexpr bool boundsStress = false;
 };
+
+/// Returns LawDefaults::doubleStress of a law; true for laws without it.
+template<class Law> constexpr bool stressInDouble() {
+  if constexpr (requires { Law::doubleStress; }) return Law::doubleStress;
+  else return true;
+}
+/// The same for doubleEnergy.
+template<class Law> constexpr bool energyInDouble() {
+  if constexpr (requires { Law::doubleEnergy; }) return Law::doubleEnergy;
+  else return true;
+}
 
 struct NothingShared {};
 /// Returns what stress and energy of a law share.

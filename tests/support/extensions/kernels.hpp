@@ -7,7 +7,7 @@
 namespace thaw::test {
 
 struct ExtensionKernels {
-  void (*neoHookean)(const LawGroup&);
+  LawKernels neoHookean, singleNeoHookean;
   PairForceKernels spring, tension;
 };
 

@@ -4,7 +4,7 @@
 // tension.
 #include "core/fluid/laws/cohesion.hpp"
 #include "core/fluid/terms/extension_pair_force_term.hpp"
-#include "core/solid/laws/extension_law_lanes.hpp"
+#include "core/solid/elasticity/extension_law_lanes.hpp"
 #include "core/solid/laws/neo_hookean.hpp"
 #include "tests/support/extensions/kernels.hpp"
 
@@ -21,6 +21,11 @@ struct NeoHookeanCopy {
   template<class T> static T energy(const lanes::LawPoint<T>& at) {
     return neoHookeanEnergy(at.f, at.lambda, at.mu, lanes::logarithm(neoHookeanLogged(at.f)));
   }
+};
+
+/// The same with the precision of the built-in law.
+struct SingleNeoHookeanCopy : NeoHookeanCopy {
+  static constexpr bool doubleStress = false;
 };
 
 /// E = k a_i a_j (1 - r/h)^2 / 2 with values a, and a drag c (1 - r/h) along the velocity difference.
@@ -56,9 +61,9 @@ struct TensionCopy {
 
 const ExtensionKernels& extensionKernelSet();
 const ExtensionKernels& extensionKernelSet() {
-  static constexpr ExtensionKernels set{lanes::respondLanes<NeoHookeanCopy>,
-                                        lanes::pairForceKernels<Spring>(),
-                                        lanes::pairForceKernels<TensionCopy>()};
+  static constexpr ExtensionKernels set{
+      lanes::lawKernels<NeoHookeanCopy>(), lanes::lawKernels<SingleNeoHookeanCopy>(),
+      lanes::pairForceKernels<Spring>(), lanes::pairForceKernels<TensionCopy>()};
   return set;
 }
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// An elastic law on eight particles at once. An extension includes this in a source file that is compiled
+// once per instruction set (thaw_instruction_sets() in CMake).
+//
+// A Law has
+//   template<class T> static Mat3<T> stress(const LawPoint<T>&);  // Pa, first Piola stress
+//   template<class T> static T energy(const LawPoint<T>&);        // Pa, energy density
+// where T is LanesD; with T = double both can be tested by themselves. It may have the further parts of
+// core/solid/laws/law_point.hpp. With doubleStress = false or doubleEnergy = false, T is LanesF where bonds
+// are in single precision.
+#pragma once
+#include "core/solid/elasticity/deformation_lanes.hpp"
+
+namespace thaw {
+namespace THAW_ISA {
+
+using thaw::LawPoint;
+using thaw::logarithm;
+
+namespace {
+
+template<class Law, class Real> THAW_INLINE void respondLanesIn(const LawGroup& g) {
+  const Mat3<Lanes<Real>> gradient = loadMatrix<Real>(g.gradient);
+  Mat3<Lanes<Real>> stress;
+  respondInline<Law, Real>({g.lambda, g.mu, gradient, plusOne(gradient), g.energy != nullptr}, g.values,
+                           stress, g.energy);
+  storeMatrix<Real>(stress, g.stress);
+}
+/// Stress and energy of a group, with the bits of the bond loop.
+template<class Law> __attribute__((flatten)) void respondLanes(const LawGroup& g) {
+  g.single ? respondLanesIn<Law, float>(g) : respondLanesIn<Law, double>(g);
+}
+
+/// The law alone. The loop with it is valid for other laws, too, which it calls.
+template<class Law> struct OneLaw {
+  template<class F> static THAW_INLINE bool at(const ElasticLaw& law, F&& f) {
+    return law.kernels.lanes == respondLanes<Law> ? (f.template operator()<Law>(), true) : false;
+  }
+};
+
+/// The functions of a law on this instruction set: ElasticLaw::kernels.
+template<class Law> constexpr LawKernels lawKernels() {
+  return {respondLanes<Law>, deformation<OneLaw<Law>>};
+}
+
+}  // namespace
+}  // namespace THAW_ISA
+}  // namespace thaw
