@@ -126,24 +126,21 @@ def machine():
 
 def view():
     """Returns the cost of a view for a run and the rate of its pictures."""
-    rows = {r["case"]: r for r in rowsOf("performance", "view.csv")}
-    text = []
-    for case, words in (
-        ("cost followed", "that follows a run"),
-        ("cost followed and drawn", "that also draws on the same processor"),
-    ):
-        if case in rows:
-            r = rows[case]
-            unit = "instructions" if r["note"].startswith("instructions") else "processor time"
-            text.append(f"a page {words} adds {float(r['value']):.2g} % to the {unit} of a run")
-    rates = [
-        f"{float(r['value']):.1f} pictures a second of {r['case'].removeprefix('pictures of ')}"
-        for r in rows.values()
-        if r["unit"] == "1/s"
-    ]
-    if rates:
-        text.append(f"without a graphics processor, by software, it draws {' and '.join(rates)}")
-    return "; ".join(text)
+
+    def first(name, case):
+        row = next(r for r in rowsOf("performance", name + ".csv") if r["case"] == case)
+        return float(row["value"]), row
+
+    instructions, _ = first("view_instructions", "cost followed")
+    seconds, cost = first("view", "cost followed and drawn")
+    rate, drawn = first("view_pictures", "particles and surface, in motion")
+    script, _ = first("view_pictures", "particles and surface, script of a picture")
+    return (
+        f"a page that follows a run adds {instructions:.2g} % to the instructions of a run, and "
+        f"{seconds:.2g} % to its {cost['note']} %. Without a graphics processor, it draws {rate:.0f} "
+        f"pictures a second in motion, of {int(drawn['particles']):,} particles and "
+        f"{int(drawn['vertices']):,} vertices. A picture takes {script:.1f} ms in JavaScript"
+    )
 
 
 def page():

@@ -73,7 +73,9 @@ if(THAW_VIEW AND NOT page_missing)
       "    {\"${file}\", \"${type}; charset=utf-8\", bytes(page_${symbol}, page_${symbol}_end)},\n")
   endforeach()
   configure_file(cmake/page_files.cpp.in ${page_source} @ONLY)
-  set_source_files_properties(${page_source} PROPERTIES OBJECT_DEPENDS "${page_outputs}")
+  # A unity file would not be built anew after a change of the page.
+  set_source_files_properties(${page_source} PROPERTIES OBJECT_DEPENDS "${page_outputs}"
+    SKIP_UNITY_BUILD_INCLUSION ON)
   list(APPEND view_sources ${page_source})
 else()
   list(APPEND view_sources ${view_server}/page_missing.cpp)

@@ -1,14 +1,22 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Cost of `thaw view` for a run, and the rate of its pictures without a graphics processor.
+"""Cost of `thaw view` for a run, and the rate of its pictures.
 
-  scripts/bench view [--repeats 5] [--spacing 0.0175] [--end 1.25] [--count]
+  scripts/bench view [--part cost|pictures] [--repeats 7] [--spacing 0.0175] [--end 0.75]
+                     [--client] [--count] [--shots PREFIX]
 
-A dam break runs on one core: alone, with a client that follows it as the page does but draws nothing, and
-with the page in headless Chromium. The three kinds of runs alternate. Their costs are medians of processor
-time. The browser draws on the same processor. Then the page draws a block of liquid from many sides.
+Cost: a dam break runs on the first core, alone and with the page in headless Chromium, which follows it on
+the other cores at a lower priority. The runs alternate. --client adds runs with a client that requests what
+the page requests, but draws nothing. Each run is a row with its processor time (user and system) and its
+wall-clock time. The cost is the median over the repeats of the ratio to the run alone of the same repeat,
+with the least and the largest.
 --count counts the instructions of each run once by valgrind instead of its time, without the browser. It is
-for machines on which other programs run. Columns of the file: case, particles, surfels, value, unit, note.
+for machines on which other programs run.
+
+Pictures: the page draws a block of liquid in 800 x 600 pixels, at rest and in motion. `script` is the time of
+a picture in JavaScript. --shots PREFIX saves pictures of both qualities.
+
+Columns of the file: case, particles, vertices, value, unit, note. The note of a picture names the renderer.
 """
 import argparse
 import contextlib
@@ -45,11 +53,20 @@ spacing = 0.00355
 """
 
 
+CORES = sorted(os.sched_getaffinity(0))
+RUN, OTHERS = CORES[:1], CORES[1:] or CORES
+
+
+def onCores(cores, command):
+    return ["taskset", "--cpu-list", ",".join(map(str, cores)), *command]
+
+
 class View:
     """A server of a run."""
 
     def __init__(self, run):
-        self.server = subprocess.Popen([THAW, "view", run, "--no-open"], stdout=subprocess.PIPE, text=True)
+        command = onCores(OTHERS, [THAW, "view", run, "--no-open"])
+        self.server = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
         self.address = self.server.stdout.readline().split()[-1]
 
     def close(self):
@@ -93,7 +110,9 @@ class Browser:
 
     def __init__(self, address):
         pipe = subprocess.PIPE
-        self.node = subprocess.Popen(nodeCommand("follow", address), stdin=pipe, stdout=pipe)
+        # Threads of software renderers choose their cores themselves: the run has priority there.
+        command = ["nice", "-n", "5", *onCores(OTHERS, nodeCommand("follow", address))]
+        self.node = subprocess.Popen(command, stdin=pipe, stdout=pipe)
         self.node.stdout.readline()  # the page is open
 
     def stop(self):
@@ -126,6 +145,7 @@ def runSeconds(folder, o, watch):
     log = os.path.join(folder, "count.log")
     if o.count:
         command = counting(command, log)
+    command = onCores(RUN, command)
     begin = time.monotonic()
     run = subprocess.Popen(command, stdout=subprocess.DEVNULL)
     watcher, view = None, None
@@ -148,67 +168,86 @@ def runSeconds(folder, o, watch):
 
 
 def costs(folder, o):
-    """Yields rows of the cost of a view, in percent of the run alone."""
+    """Yields rows of runs, and of the cost of a view in percent of the run alone."""
     ways = {"alone": None, "followed": Client, "followed and drawn": Browser}
-    unit = "instructions" if o.count else "s of processor time"
-    if o.no_browser or o.count:
+    if o.count:
         del ways["followed and drawn"]
-    seconds, wall, frames = {w: [] for w in ways}, {w: [] for w in ways}, {}
+    elif not o.client:
+        del ways["followed"]
+    unit = "instructions" if o.count else "s of processor time"
+    cost, wall = {way: [] for way in ways}, {way: [] for way in ways}
     for k in range(o.repeats):
         for way in ways if k % 2 == 0 else reversed(ways):
-            cpu, elapsed, particles, frames[way] = runSeconds(folder, o, ways[way])
-            seconds[way].append(cpu), wall[way].append(elapsed)
-            print(f"{way:20s} {cpu:8.3f} {unit}, {elapsed:8.3f} s, {frames[way]} frames shown")
-    for way in ways:
-        cost = statistics.median(seconds[way])
-        yield f"run {way}", particles, 0, cost, unit, f"{frames[way]} frames shown"
-        yield f"run {way}, wall clock", particles, 0, statistics.median(wall[way]), "s", ""
-    alone = statistics.median(seconds["alone"])
+            cpu, elapsed, particles, frames = runSeconds(folder, o, ways[way])
+            cost[way].append(cpu), wall[way].append(elapsed)
+            note = f"repeat {k + 1}, {frames} frames shown"
+            yield f"run {way}", particles, 0, cpu, unit, note
+            yield f"run {way}", particles, 0, elapsed, "s of wall clock", note
     for way in list(ways)[1:]:
-        cost = 100 * (statistics.median(seconds[way]) / alone - 1)
-        yield f"cost {way}", particles, 0, cost, "%", f"{unit}, median of {o.repeats}"
+        for name, seconds in ((unit, cost), ("s of wall clock", wall)):
+            more = [100 * (a / b - 1) for a, b in zip(seconds[way], seconds["alone"])]
+            note = f"{name.removeprefix('s of ')}, median of {o.repeats}, {min(more):.2f} to {max(more):.2f}"
+            yield f"cost {way}", particles, 0, statistics.median(more), "%", note
 
 
-def pictures(folder):
-    """Yields rows of the pictures per second that the page draws."""
+def pictures(folder, o):
+    """Yields rows of the pictures that the page draws."""
     scene, out = os.path.join(folder, "block.toml"), os.path.join(folder, "block")
     with open(scene, "w") as file:
         file.write(BLOCK)
     subprocess.run([THAW, "run", scene, "--steps", "1", "--out", out], check=True, stdout=subprocess.DEVNULL)
     with contextlib.closing(View(out)) as view:
-        reply = subprocess.run(nodeCommand("rate", view.address), check=True, stdout=subprocess.PIPE).stdout
+        command = nodeCommand("rate", view.address, *([o.shots] if o.shots else []))
+        reply = subprocess.run(command, check=True, stdout=subprocess.PIPE).stdout
     for row in json.loads(reply):
-        case = f"pictures of {row['layers']}"
-        yield case, row["particles"], row["surfels"], row["rate"], "1/s", row["renderer"]
+        quality = "quick shaders" if row["quality"]["quick"] else "full quality"
+        motion = f"{quality} at {100 * row['quality']['share']:.0f} % of the pixels a side"
+        for name, value, unit, note in (
+            ("at rest", row["full"], "1/s", "full quality"),
+            ("in motion", row["rate"], "1/s", motion),
+            ("script of a picture", row["script"], "ms", motion),
+            ("script of a new frame", row["frame"], "ms", motion),
+        ):
+            case = f"{row['layers']}, {name}"
+            yield case, row["particles"], row["vertices"], value, unit, f"{note}; {row['renderer']}"
 
 
-def main():
+def optionsOf():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("--csv", required=True)
-    parser.add_argument("--repeats", type=int, default=5)
+    parser.add_argument("--part", choices=("cost", "pictures", "all"), default="all")
+    parser.add_argument("--repeats", type=int, default=7)
     parser.add_argument("--spacing", type=float, default=0.0175, help="m, of the dam break")
-    parser.add_argument("--end", type=float, default=1.25, help="s, of the dam break")
+    parser.add_argument("--end", type=float, default=0.75, help="s, of the dam break")
+    parser.add_argument("--client", action="store_true", help="also runs with a client that draws nothing")
     parser.add_argument("--count", action="store_true", help="instructions of one run each, not seconds")
-    parser.add_argument("--no-browser", action="store_true", help="without Chromium")
+    parser.add_argument("--shots", help="prefix of the names of pictures of both qualities")
     o = parser.parse_args()
     if o.count:
-        o.repeats = 1
+        o.repeats, o.part = 1, "cost"
+    return o
+
+
+def main():
+    o = optionsOf()
     cache = (BUILD / "CMakeCache.txt").read_text().splitlines()
     os.environ["MODULES"] = next(l.split("=", 1)[1] for l in cache if l.startswith("THAW_VIEW_MODULES:PATH="))
     os.environ["CHROMIUM"] = shutil.which("chromium") or shutil.which("google-chrome") or ""
     folder = tempfile.mkdtemp()
     try:
-        rows = list(costs(folder, o)) + ([] if o.no_browser else list(pictures(folder)))
+        with open(o.csv, "w", newline="") as file:
+            writer = csv.writer(file, lineterminator="\n")
+            writer.writerow(["case", "particles", "vertices", "value", "unit", "note"])
+            for part, rows in (("cost", costs), ("pictures", pictures)):
+                if o.part not in (part, "all"):
+                    continue
+                for case, particles, vertices, value, unit, note in rows(folder, o):
+                    print(f"{case:45s} {value:9.3f} {unit:20s} {note}", flush=True)
+                    writer.writerow([case, particles, vertices, f"{value:.3f}", unit, note])
     finally:
         shutil.rmtree(folder)
-    with open(o.csv, "w", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["case", "particles", "surfels", "value", "unit", "note"])
-        for case, particles, surfels, value, unit, note in rows:
-            print(f"{case:40s} {value:8.3f} {unit:4s} {note}")
-            writer.writerow([case, particles, surfels, f"{value:.3f}", unit, note])
 
 
 if __name__ == "__main__":

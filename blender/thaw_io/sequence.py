@@ -68,19 +68,11 @@ def fill(mesh, vertices, triangles, fields, rate):
             addAttribute(mesh, name, values)
     if len(triangles) and 'uv' in fields:
         layer = mesh.uv_layers.get('UVMap') or mesh.uv_layers.new(name='UVMap')
-        layer.data.foreach_set('uv', cornerUvs(triangles, fields['uv']).astype(np.float32).ravel())
+        layer.data.foreach_set('uv', fields['uv'][triangles].astype(np.float32).ravel())
     if len(triangles) and 'normal' in fields and hasattr(mesh, 'normals_split_custom_set_from_vertices'):
         if bpy.app.version < (4, 1):
             mesh.use_auto_smooth = True
         mesh.normals_split_custom_set_from_vertices(np.asarray(fields['normal'], np.float32))
-
-
-def cornerUvs(triangles, uv):
-    """Returns the coordinates of each corner (m, 3, 2). Triangles across a seam have those of one corner."""
-    corners = uv[triangles]
-    away = np.linalg.norm(corners - corners[:, :1], axis=2)
-    most = max(6 * np.median(away[:, 1]), 0.02)
-    return np.where((away > most)[..., None], corners[:, :1], corners)
 
 
 def show(thing, scene):

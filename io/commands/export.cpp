@@ -84,7 +84,7 @@ void addExportOptions(CLI::App& command, ExportOptions& o) {
 int exportCommand(const ExportOptions& options) {
   try {
     const ExportFormat& format = exportFormatNamed(options.as);
-    if (options.uv && !format.keepsUv)
+    if (options.uv && format.uv == UvPlace::none)
       throw std::invalid_argument(
           "--uv: '" + options.as +
           "' has no texture coordinates: leave out --uv; expected --as ply, obj, vtp, usd, usda, vtkhdf "

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# `thaw export` in all formats, read by three.js, tinyusdz, OpenVDB's Python module, h5py, ParaView and
-# Blender. It lists missing readers at its end, and is skipped if all are missing. MODULES=DIR: node_modules
-# with the readers of USD.
+# `thaw export` in all formats, read by three.js, tinyusdz, OpenVDB's Python module, h5py, Partio,
+# ParaView and Blender. It lists missing readers at its end, and is skipped if all are missing.
+# MODULES=DIR: node_modules with the readers of USD.
 . "$(dirname "$0")/../support/run.sh"
 MODULES=${MODULES:-$(sed -n 's/^THAW_VIEW_MODULES:PATH=//p' "$build/CMakeCache.txt")}
 skipped=() readers=0
@@ -68,6 +68,20 @@ if /usr/bin/python3 -c 'import h5py, numpy' 2>/dev/null; then
   readers=$((readers + 1))
 else
   skipped+=("h5py and numpy (python3-h5py)")
+fi
+
+export --as bgeo --what particles; expectExit 0 "bgeo"
+export --as bgeo --what surface; expectExit 0 "bgeo of a surface"
+if ! command -v partconvert >/dev/null; then
+  skipped+=("Partio's partconvert (no package of Debian)")
+elif /usr/bin/python3 -c 'import h5py, numpy' 2>/dev/null; then
+  partconvert "$work/run/export/scene_000002.bgeo" "$work/particles.pda" >"$work/log" 2>&1 &&
+    /usr/bin/python3 "$source_dir/tests/export/read_bgeo.py" "$work/particles.pda" \
+      "$work/run/frames/scene_000002.hdf" >>"$work/log" 2>&1
+  expectExit 0 "Partio"
+  partconvert "$work/run/export/scene_surface_000002.bgeo" "$work/surface.pda" >"$work/log" 2>&1
+  expectExit 0 "Partio and a surface"
+  readers=$((readers + 1))
 fi
 
 # a frame with obstacles, in three formats

@@ -220,6 +220,37 @@ const cases = {
     assert.deepEqual(errors, []);
   },
 
+  /// Pictures in motion look like those at rest, which follow. ARGUMENT: name of the layer.
+  async motion(browser, address, name) {
+    const { page, errors } = await open(browser, address);
+    await page.locator('#fit').click();
+    if (name === 'surface')
+      await page.waitForFunction(() => window.thawView.stage.layers.get('surface').meshed);
+    const full = await pixelsOf(page);
+    await page.locator(`#layer-${name}`).uncheck();
+    const ground = await pixelsOf(page);
+    await page.locator(`#layer-${name}`).check();
+    const covered = difference(ground, full);
+    for (const coarse of [false, true]) {
+      const quick = await pixelsOf(page, { quick: true, coarse });
+      const share = difference(ground, quick) / covered;
+      assert.ok(Math.abs(share - 1) < 0.1, `coarse ${coarse}: ${share} of the points' pixels are covered`);
+      assert.ok(coloursIn(quick) > 100, 'the points are shaded');
+    }
+    await page.evaluate(() => {
+      const { stage } = window.thawView;
+      stage.pace.level = 3;
+      stage.touch();
+    });
+    await page.waitForFunction(() => window.thawView.stage.quality.coarse);
+    await page.waitForFunction(() => !window.thawView.stage.quality.quick);
+    await page.evaluate(() => (window.pictures = window.thawView.stage.drawn));
+    await new Promise((done) => setTimeout(done, 1500));
+    const more = await page.evaluate(() => window.thawView.stage.drawn - window.pictures);
+    assert.ok(more <= 1, `${more} pictures are drawn at rest`);
+    assert.deepEqual(errors, []);
+  },
+
   /// The post is solid and red.
   async obstacles(browser, address) {
     const { page, errors } = await open(browser, address);

@@ -37,23 +37,26 @@ export async function open(browser, address, { frame = true, dark = false, size 
   return { page, errors };
 }
 
-/// Waits until the page has drawn all changes.
-export async function settle(page) {
-  await page.evaluate(async () => {
+const FULL = { quick: false, coarse: false };
+
+/// Waits until the page has drawn all changes. quality: of viewer/src/scene/pace.js.
+export async function settle(page, quality = FULL) {
+  await page.evaluate(async (wanted) => {
     const { thawView: app } = window;
     const drawn = () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
     await app.show();
     await drawn();
+    while (app.stage.due) await drawn();
     clearTimeout(app.stage.resting);
-    app.stage.setScale(1); // independent of the speed of the machine
+    app.stage.setQuality(wanted, 1); // independent of the speed of the machine
     app.stage.draw();
     await drawn();
-  });
+  }, quality);
 }
 
 /// Returns the pixels (r, g, b, a) of the middle of the picture, without the colour bar and the time slider.
-export async function pixelsOf(page) {
-  await settle(page);
+export async function pixelsOf(page, quality = FULL) {
+  await settle(page, quality);
   const { x, y, width, height } = await page.locator('#canvas').boundingBox();
   const clip = { x: x + width * 0.1, y: y + height * 0.15, width: width * 0.65, height: height * 0.65 };
   const png = (await page.screenshot({ clip, timeout: SECONDS * 1000 })).toString('base64');

@@ -30,6 +30,7 @@ serve "$work/dam"
 inBrowser refusals
 inBrowser particles
 inBrowser picking
+inBrowser motion particles
 head -c 3000 "$work/dam/frames/dam_break_000016.hdf" >"$work/half"
 mv "$work/half" "$work/dam/frames/dam_break_000016.hdf"
 inBrowser damaged
@@ -38,6 +39,7 @@ simulate "$scenes/melt.toml" --set spacing=0.012 --set end=0.1 --out "$work/melt
 serve "$work/melt"
 inBrowser layer surface
 inBrowser mesh
+inBrowser motion surface
 simulate "$scenes/sheet/cloth.toml" --set sheet.cloth.spacing=0.03 --set end=0.1 --out "$work/cloth"
 serve "$work/cloth"
 inBrowser layer sheet

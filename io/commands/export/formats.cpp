@@ -41,32 +41,33 @@ constexpr unsigned meshContents = surfaceContent | sheetContent | orientedConten
 // The order is that of --help.
 const ExportFormat formats[] = {
     {"ply-discs", ".discs.ply", "a polygon for each surfel (Blender)", surfaceContent, true, false, false,
-     false, plyDiscs, nullptr},
-    {"pov", ".pov", "a scene of POV-Ray", surfaceContent, true, false, false, false, pov, nullptr},
+     UvPlace::none, plyDiscs, nullptr},
+    {"pov", ".pov", "a scene of POV-Ray", surfaceContent, true, false, false, UvPlace::none, pov, nullptr},
     {"vtp", ".vtp",
      "points with all fields, and the triangles of sheets, oriented particles and obstacles; with --mesh "
      "of surfaces (ParaView)",
-     meshContents, true, true, false, true, vtp, nullptr},
+     meshContents, true, true, false, UvPlace::vertices, vtp, nullptr},
     {"ply", ".ply",
      "a closed triangle mesh of each component, or the triangles of each sheet, oriented surface or "
      "obstacle, "
      "and the lines of a curve",
-     meshContents, false, false, false, true, ply, nullptr},
-    {"obj", ".obj", "the same as text", meshContents, false, false, false, true, obj, nullptr},
+     meshContents, false, false, false, UvPlace::vertices, ply, nullptr},
+    {"obj", ".obj", "the same as text", meshContents, false, false, false, UvPlace::corners, obj, nullptr},
     {"usd", ".usdc",
      "one USD layer of all frames with meshes, particles, obstacles and camera (Houdini, Blender, "
      "Maya, Omniverse)",
-     allContent, false, false, true, true, nullptr, exportUsd},
-    {"usda", ".usda", "the same layer as text", allContent, false, false, true, true, nullptr, exportUsd},
+     allContent, false, false, true, UvPlace::corners, nullptr, exportUsd},
+    {"usda", ".usda", "the same layer as text", allContent, false, false, true, UvPlace::corners, nullptr,
+     exportUsd},
     {"vtkhdf", ".vtkhdf", "one VTKHDF file of all frames with meshes or particles (ParaView 5.12 and newer)",
-     allContent, false, false, false, true, nullptr, exportVtkHdf},
+     allContent, false, false, false, UvPlace::vertices, nullptr, exportVtkHdf},
     {"bgeo", ".bgeo", "Houdini geometry, classic version: points and triangles", allContent, false, false,
-     false, true, writeBgeo, nullptr},
+     false, UvPlace::corners, writeBgeo, nullptr},
     {"vdb", ".vdb",
      "OpenVDB: the level set of a surface, fog volumes of the particles, and the particles as points",
-     surfaceContent | particleContent, false, false, true, false, writeVdb, nullptr},
+     surfaceContent | particleContent, false, false, true, UvPlace::none, writeVdb, nullptr},
     {"html", ".html", "the run as one page for any browser, without a server", allContent, true, true, true,
-     false, nullptr, exportRunPage},
+     UvPlace::none, nullptr, exportRunPage},
 };
 
 struct NamedContent {

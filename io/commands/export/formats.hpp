@@ -20,6 +20,9 @@ enum ExportContent : unsigned {
   allContent = 31
 };
 
+/// Where a format has texture coordinates.
+enum class UvPlace : unsigned char { none, vertices, corners };
+
 /// A format has exactly one of the two functions.
 struct ExportFormat {
   const char* name;
@@ -30,7 +33,7 @@ struct ExportFormat {
   bool keepsTables;        ///< sheets or oriented particles alone are written with all their fields
   bool holdsAllByDefault;  ///< default of --what: all contents, with particles only if there is no surface;
                            ///< else the first content of the run
-  bool keepsUv;            ///< --uv: texture coordinates of a surface
+  UvPlace uv;              ///< --uv: texture coordinates of a surface
   /// Writes one frame. Throws IoError.
   void (*writeFrame)(const std::filesystem::path& file, const ExportScene& scene);
   /// Writes a run as one file, and prints a summary. Throws IoError and std::invalid_argument.

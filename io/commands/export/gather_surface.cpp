@@ -10,6 +10,7 @@
 #include "core/geometry/trees/point_tree.hpp"
 #include "io/commands/export/gather_scene.hpp"
 #include "io/export/export_surface.hpp"
+#include "io/export/texture_seams.hpp"
 #include "io/hdf5/io_error.hpp"
 #include "io/image/parallel_for.hpp"
 #include "io/surface_mesh/mesh_detail.hpp"
@@ -217,6 +218,8 @@ void gatherSurface(const FrameGroup& group, const GatherJob& job, ExportScene& s
     surface.parts = meshesOf(frame, scene.surfelColours, job, scene.periodic, walls);
     const auto empty = static_cast<std::size_t>(
         std::erase_if(surface.parts, [](const ComponentMesh& m) { return m.mesh.triangles.empty(); }));
+    if (job.format->uv == UvPlace::vertices)
+      for (ComponentMesh& part : surface.parts) splitAtSeams(part);
     nameMeshes(scene.sourceNames, surface.parts);
     addNotes(surface.parts, empty, group.surface, job.options->cell, notes);
     scene.objects.push_back(std::move(surface));

@@ -46,6 +46,15 @@ void main() {
   colours = weight * vec4(linearOf(albedo()), 1.0);
   normals = weight * vec4(n, 1.0);
 }`;
+/// Without blending, for quick pictures.
+const plain = /* glsl */ `${fragmentStart}
+out vec4 result;
+void main() {
+  ${inside}
+  vec3 n = normalize(direction);
+  if (dot(n, place) > 0.0) n = -n;
+  result = vec4(shaded(albedo(), n, place), 1.0);
+}`;
 const depth = /* glsl */ `${fragmentStart}
 void main() {
   ${inside}
@@ -70,6 +79,7 @@ export class Discs {
       blendSrc: THREE.OneFactor,
       blendDst: THREE.OneFactor,
     });
+    this.quickMaterial = this.materialOf(vertex(false), plain, { defines: { QUICK: '' } });
     this.pickMaterial = this.materialOf(vertex(false), pick, {});
     this.mesh = new THREE.Mesh(new THREE.BufferGeometry(), this.blendMaterial);
     this.mesh.frustumCulled = false;

@@ -34,7 +34,7 @@ export class Layer {
     if (type === 'particles') this.spheres = new Spheres();
     else this.discs = new Discs();
     if (type !== 'particles') this.meshes = new Meshes();
-    for (const mesh of [this.spheres?.mesh, this.meshes?.mesh, this.meshes?.lines])
+    for (const mesh of [this.spheres?.mesh, this.spheres?.points, this.meshes?.mesh, this.meshes?.lines])
       if (mesh) this.group.add(mesh);
   }
 
@@ -62,7 +62,14 @@ export class Layer {
   setVisible(visible) {
     this.group.visible = visible;
     if (this.discs) this.discs.mesh.visible = visible && !this.meshed;
-    if (this.meshes) this.meshes.mesh.visible = this.meshes.lines.visible = visible && this.meshed;
+    this.meshes?.setVisible(visible && this.meshed);
+  }
+
+  /// Readies the objects of a picture of that quality. height: of the picture, pixels.
+  prepare(quality, height) {
+    if (!this.group.visible) return;
+    this.spheres?.prepare(quality, height);
+    this.meshes?.prepare(quality);
   }
 
   /// What picking draws.

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Triangles between points, seen from both sides: surfaces, sheets, oriented bodies, and lines of curves.
 import * as THREE from 'three';
+import { coarseTriangles } from './coarse.js';
 import {
+  attributesOf,
   colourFragment,
   colourUniforms,
   fragmentCommon,
-  LABELS,
-  OWN,
   pickOutput,
-  PLAIN,
-  VALUES,
+  sourceOf,
   vertexCommon,
 } from './shading.js';
 
@@ -53,24 +52,11 @@ const pick = `${fragmentStart}
   result = indexColour(number);
 }`;
 
-/// Returns a geometry of the points of a packet, and the source of their colours.
-function geometryOf({ position, normal, colour, value, label }) {
-  const geometry = new THREE.BufferGeometry();
-  const set = (name, data, components, normalised) =>
-    geometry.setAttribute(name, new THREE.BufferAttribute(data, components, normalised));
-  set('position', position.data, 3, false);
-  set('normal', normal.data, normal.components, true);
-  set('colour', colour?.data ?? new Uint8Array(4 * position.rows), 4, true);
-  const labels = label && Float32Array.from(label.data, (k) => k % 4096);
-  set('value', value?.data ?? labels ?? new Float32Array(position.rows), 1, false);
-  const source = value ? VALUES : label ? LABELS : colour ? OWN : PLAIN;
-  return { geometry, source };
-}
-
 export class Meshes {
   constructor() {
     this.uniforms = colourUniforms();
     this.material = this.materialOf(draw);
+    this.quickMaterial = this.materialOf(draw, { QUICK: '' });
     this.pickMaterial = this.materialOf(pick);
     this.lineMaterial = this.materialOf(drawLine);
     this.mesh = new THREE.Mesh(new THREE.BufferGeometry(), this.material);
@@ -78,29 +64,48 @@ export class Meshes {
     this.mesh.frustumCulled = this.lines.frustumCulled = false;
   }
 
-  materialOf(fragmentShader) {
+  materialOf(fragmentShader, defines = {}) {
     const { uniforms } = this;
     return new THREE.RawShaderMaterial({
       glslVersion: THREE.GLSL3,
       uniforms,
       vertexShader,
       fragmentShader,
+      defines,
       side: THREE.DoubleSide,
     });
   }
 
   /// arrays: of a packet.
   show(arrays) {
+    const attributes = attributesOf(arrays);
+    this.uniforms.source.value = sourceOf(arrays);
+    this.mesh.shape = [arrays.position, arrays.triangles];
+    this.mesh.coarse = null;
     for (const [object, name] of [
       [this.mesh, 'triangles'],
       [this.lines, 'lines'],
     ]) {
-      const { geometry, source } = geometryOf(arrays);
-      const corners = arrays[name];
-      geometry.setIndex(new THREE.BufferAttribute(corners ? corners.data : new Uint32Array(0), 1));
-      this.uniforms.source.value = source;
+      const geometry = new THREE.BufferGeometry(),
+        corners = arrays[name]?.data ?? new Uint32Array(0);
+      object.empty = corners.length === 0;
+      for (const [key, attribute] of Object.entries(attributes)) geometry.setAttribute(key, attribute);
+      object.corners = new THREE.BufferAttribute(corners, 1);
+      geometry.setIndex(object.corners);
       object.geometry.dispose();
       object.geometry = geometry;
     }
+  }
+
+  setVisible(visible) {
+    for (const object of [this.mesh, this.lines]) object.visible = visible && !object.empty;
+  }
+
+  prepare({ quick, coarse }) {
+    this.mesh.material = quick ? this.quickMaterial : this.material;
+    const { corners, geometry } = this.mesh;
+    if (this.mesh.empty) return;
+    if (coarse) this.mesh.coarse ??= new THREE.BufferAttribute(coarseTriangles(...this.mesh.shape), 1);
+    geometry.setIndex(coarse ? this.mesh.coarse : corners);
   }
 }

@@ -2,7 +2,7 @@
 // Points of a packet as textures, from which a vertex shader reads those of its square: six vertices a point,
 // without copies. Instances of such small meshes are slow on many graphics processors.
 import * as THREE from 'three';
-import { LABELS, OWN, PLAIN, VALUES } from './shading.js';
+import { OWN, sourceOf } from './shading.js';
 
 const WIDTH = 2048;
 
@@ -42,45 +42,55 @@ vec3 readPoint(out vec3 normal, out float radius) {
 }
 `;
 
-/// Returns values of a packet's points in fours, with room for whole rows of a texture.
-function fours(packet, fill) {
-  const count = packet.arrays.position.rows,
-    rows = Math.max(1, Math.ceil(count / WIDTH));
-  const data = new Float32Array(4 * WIDTH * rows);
-  for (let k = 0; k < count; k++) fill(k, data, 4 * k);
-  return textureOf(data, rows, THREE.FloatType);
+/// Fills a texture with values of `count` points in fours. fill(data): writes them. The texture and its
+/// memory are kept if the new one has the same size.
+function renew(uniform, count, type, fill) {
+  const rows = Math.max(1, Math.ceil(count / WIDTH)),
+    before = uniform.value;
+  if (before === empty || before.image.height !== rows) {
+    if (before !== empty) before.dispose();
+    const Numbers = type === THREE.FloatType ? Float32Array : Uint8Array;
+    uniform.value = textureOf(new Numbers(4 * WIDTH * rows), rows, type);
+  }
+  fill(uniform.value.image.data);
+  uniform.value.needsUpdate = true;
 }
 
-function sourceOf({ value, label, colour }) {
-  if (value) return VALUES;
-  if (label) return LABELS;
-  return colour ? OWN : PLAIN;
+function clear(uniform) {
+  if (uniform.value !== empty) uniform.value.dispose();
+  uniform.value = empty;
+}
+
+/// Writes positions, and values or labels as their fourth component.
+function writePoints(to, { position, value, label }) {
+  const { data, rows } = position;
+  for (let k = 0, from = 0, at = 0; k < rows; k++, from += 3, at += 4) {
+    to[at] = data[from];
+    to[at + 1] = data[from + 1];
+    to[at + 2] = data[from + 2];
+    if (value) to[at + 3] = value.data[k];
+    else if (label) to[at + 3] = label.data[k] % 4096; // as many colours as there are
+  }
+}
+
+/// Writes normals and radii.
+function writeShapes(to, { normal, radius }) {
+  for (let k = 0, at = 0; k < normal.rows; k++, at += 4) {
+    for (let c = 0; c < 3; c++) to[at + c] = normal.data[at + c] / 32767;
+    to[at + 3] = radius.data[k];
+  }
 }
 
 /// Replaces the textures of uniforms by those of a packet, and returns a geometry for its squares.
 export function showPoints(uniforms, packet) {
-  const { position, normal, radius, colour, value, label } = packet.arrays;
-  for (const name of ['points', 'shapes', 'ownColours']) {
-    if (uniforms[name].value !== empty) uniforms[name].value.dispose();
-    uniforms[name].value = empty;
-  }
-  uniforms.points.value = fours(packet, (k, to, at) => {
-    for (let c = 0; c < 3; c++) to[at + c] = position.data[3 * k + c];
-    if (value) to[at + 3] = value.data[k];
-    else if (label) to[at + 3] = label.data[k] % 4096; // as many colours as there are
-  });
-  if (normal)
-    uniforms.shapes.value = fours(packet, (k, to, at) => {
-      for (let c = 0; c < 3; c++) to[at + c] = normal.data[4 * k + c] / 32767;
-      to[at + 3] = radius.data[k];
-    });
-  if (colour) {
-    const rows = Math.ceil(position.rows / WIDTH) || 1,
-      data = new Uint8Array(4 * WIDTH * rows);
-    data.set(colour.data);
-    uniforms.ownColours.value = textureOf(data, rows, THREE.UnsignedByteType);
-  }
-  uniforms.source.value = sourceOf(packet.arrays);
+  const { arrays } = packet,
+    { position, normal, colour } = arrays;
+  renew(uniforms.points, position.rows, THREE.FloatType, (to) => writePoints(to, arrays));
+  if (normal) renew(uniforms.shapes, position.rows, THREE.FloatType, (to) => writeShapes(to, arrays));
+  else clear(uniforms.shapes);
+  if (colour) renew(uniforms.ownColours, position.rows, THREE.UnsignedByteType, (to) => to.set(colour.data));
+  else clear(uniforms.ownColours);
+  uniforms.source.value = sourceOf(arrays);
   const geometry = new THREE.BufferGeometry();
   geometry.setDrawRange(0, 6 * position.rows);
   return geometry;

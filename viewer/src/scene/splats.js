@@ -89,7 +89,20 @@ export class Splats {
     this.target.setSize(width, height);
   }
 
+  /// scene: of the picture, to which quick pictures add the discs without blending.
+  prepare(quick, scene) {
+    this.quick = quick;
+    for (const discs of this.discs) {
+      if (quick) discs.mesh.material = discs.quickMaterial;
+      (quick ? scene : this.scene).add(discs.mesh);
+    }
+  }
+
   draw(renderer, camera) {
+    if (this.quick) {
+      this.mesh.visible = false;
+      return;
+    }
     const shown = this.discs.filter((d) => d.mesh.visible);
     this.mesh.visible = shown.length > 0;
     if (!this.mesh.visible) return;

@@ -8,13 +8,16 @@ import { Layer } from './layers.js';
 import { Lighting } from './lighting.js';
 import { Marks } from './marks.js';
 import { Obstacles } from './obstacles.js';
+import { FULL, Pace } from './pace.js';
 import { Picking } from './picking.js';
+import { PictureClock } from './picture_clock.js';
 import { setPalette, shared } from './shading.js';
 import { Splats } from './splats.js';
 
-const SLOW = 34; // ms between pictures: above it, fewer pixels are drawn while the camera moves
-const PAUSE = 100; // ms from a picture to the next request: above it, the view is at rest
-const QUICK = 25; // ms for a picture at rest: below it, one with twice as many pixels a side follows
+const REST = 250; // ms without a change: the view is at rest
+const SPARE = 25; // ms for a picture at rest: below it, one with twice as many pixels a side follows
+
+const ownScale = () => Math.min(2, window.devicePixelRatio || 1);
 
 export class Stage {
   constructor(canvas) {
@@ -57,9 +60,13 @@ export class Stage {
     this.shade = new DepthShade();
     this.picking = new Picking(this.renderer);
     this.onDrawn = () => {};
-    this.interval = 0; // ms between pictures in motion, smoothed
+    this.pace = new Pace();
+    this.clock = new PictureClock(this.renderer.getContext());
+    this.quality = FULL;
     this.scale = 1; // pixels of the picture per pixel of the page
     this.due = false;
+    this.drawn = 0; // pictures
+    this.pixels = new THREE.Vector2(); // of the picture
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
     this.resize();
   }
@@ -70,69 +77,79 @@ export class Stage {
     this.size = { width, height };
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
-    this.setScale(this.scale);
+    this.setQuality(this.quality, this.scale, true);
     this.draw(); // at once: the canvas is empty after a change of its size
     this.touch();
   }
 
-  setScale(scale) {
+  /// quality: of pace.js. scale: pixels of the picture per pixel of the page.
+  setQuality(quality, scale, resized = false) {
+    this.quality = quality;
+    if (scale === this.scale && !resized) return;
     this.scale = scale;
     this.renderer.setPixelRatio(scale);
     this.renderer.setSize(this.size.width, this.size.height, false);
-    const width = Math.floor(this.size.width * scale),
-      height = Math.floor(this.size.height * scale);
-    this.shade.resize(width, height);
-    this.splats.resize(width, height);
   }
 
   /// Requests a new picture.
   touch() {
     clearTimeout(this.resting);
-    this.resting = setTimeout(() => this.rest(), 250);
+    this.resting = setTimeout(() => this.rest(), REST);
     if (this.due) return;
     this.due = true;
-    const moving = performance.now() - (this.ended ?? -PAUSE) < PAUSE;
-    requestAnimationFrame((now) => {
-      this.due = false;
-      this.pace(now, moving);
-      this.draw();
-      this.ended = performance.now();
+    requestAnimationFrame(() => this.move());
+  }
+
+  /// Draws a picture in motion with a quality that keeps it fluid.
+  move() {
+    if (this.clock.full) {
+      requestAnimationFrame(() => this.move());
+      return;
+    }
+    this.due = false;
+    const { quality } = this.pace;
+    this.drawTimed(quality, ownScale() * quality.share, (cost) => {
+      if (quality === this.pace.quality) this.pace.add(cost, performance.now());
     });
   }
 
-  /// Lowers the scale while pictures take long, and raises it again while they are quick. moving: less than
-  /// PAUSE passed since the last picture.
-  pace(now, moving) {
-    const since = now - (this.before ?? 0);
-    this.before = now;
-    const own = Math.min(2, window.devicePixelRatio || 1);
-    if (moving) this.interval = this.interval > 0 ? 0.8 * this.interval + 0.2 * since : since;
-    let wanted = Math.min(own, this.motionScale ?? own);
-    if (this.interval > SLOW && wanted > 0.5) {
-      wanted = Math.max(0.5, 0.8 * wanted);
-      this.interval = 0.8 * SLOW; // the next pictures show the effect
-    } else if (this.interval < 0.6 * SLOW) {
-      wanted = Math.min(own, 1.05 * wanted);
+  /// Draws the last picture of a motion with all pixels of the page, and with more if that is cheap.
+  rest() {
+    if (this.due) {
+      this.resting = setTimeout(() => this.rest(), REST); // a picture in motion is still to come
+      return;
     }
-    this.motionScale = wanted;
-    if (wanted !== this.scale) this.setScale(wanted);
+    const own = ownScale(),
+      { drawn } = this;
+    this.drawTimed(FULL, own, (cost) => {
+      if (cost > SPARE || own === 2 || this.drawn !== drawn + 1) return;
+      this.setQuality(FULL, 2);
+      this.draw();
+    });
   }
 
-  /// Draws the last picture of a motion with all pixels of the page, and with more if that is quick.
-  rest() {
-    const own = Math.min(2, window.devicePixelRatio || 1),
-      start = performance.now();
-    this.setScale(own);
+  /// Calls done with the cost of the picture (ms) once it is finished.
+  drawTimed(quality, scale, done) {
+    const begin = performance.now();
+    this.setQuality(quality, scale);
     this.draw();
-    const gl = this.renderer.getContext();
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits for the picture
-    if (performance.now() - start > QUICK || own === 2) return;
-    this.setScale(2);
-    this.draw();
+    this.clock.add(begin, done);
+  }
+
+  /// Passes the quality to all that is drawn.
+  prepare() {
+    const { renderer, quality } = this,
+      { quick } = quality;
+    const { x: width, y: height } = renderer.getDrawingBufferSize(this.pixels);
+    for (const layer of this.layers.values()) layer.prepare(quality, height);
+    this.splats.prepare(quick, this.scene);
+    if (!quick) this.splats.resize(width, height);
+    this.shade.prepare(quick, width, height);
   }
 
   draw() {
     const { renderer, camera, shade } = this;
+    this.prepare();
     this.setPlanes();
     camera.updateMatrixWorld();
     shared.up.value.set(0, 0, 1).transformDirection(camera.matrixWorldInverse);
@@ -144,7 +161,7 @@ export class Stage {
     renderer.render(this.scene, camera);
     shade.draw(renderer, camera, this.scale);
     this.onDrawn();
-    this.drawn = (this.drawn ?? 0) + 1;
+    this.drawn++;
   }
 
   /// Sets near and far plane around all that may be seen.
@@ -213,6 +230,7 @@ export class Stage {
   }
 
   pick(x, y) {
+    for (const layer of this.layers.values()) layer.prepare(FULL, 1); // quick shaders write no indices
     const layers = [...this.layers.values()].map((layer) => layer.pickable()).filter(Boolean);
     const found = this.picking.pick(this.camera, { x, y, ...this.size }, layers);
     this.touch();

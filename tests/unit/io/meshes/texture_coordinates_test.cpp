@@ -45,25 +45,61 @@ TEST(TextureCoordinates, AreInterpolatedOnTheSurface) {
   EXPECT_NEAR(uv[1], 1, 1e-6);
 }
 
-TEST(TextureCoordinates, TrianglesAcrossASeamAreNotSmeared) {
-  TriangleMesh strip;
+/// A strip along x. The texture begins again in its middle, between rows 19 and 20.
+struct StripWithSeam {
+  TriangleMesh mesh;
   std::vector<Uv> uv;
-  for (std::uint32_t k = 0; k < 40; k++) {
-    strip.vertices.push_back({0.1 * k, 0, 0});
-    strip.vertices.push_back({0.1 * k, 0.1, 0});
-    // the texture begins again in the middle
-    const float u = 0.01f * static_cast<float>(k < 20 ? k : k - 20) + (k < 20 ? 0 : 0.7f);
-    uv.push_back({u, 0});
-    uv.push_back({u, 0.01f});
-    if (k == 0) continue;
-    strip.triangles.push_back({2 * k - 2, 2 * k, 2 * k - 1});
-    strip.triangles.push_back({2 * k, 2 * k + 1, 2 * k - 1});
+  StripWithSeam() {
+    for (std::uint32_t k = 0; k < 40; k++) {
+      for (int side = 0; side < 2; side++) {
+        const Vec3d x{0.1 * k, 0.1 * side, 0};
+        mesh.vertices.push_back(x);
+        uv.push_back(chartOf(k >= 20, x));
+      }
+      if (k == 0) continue;
+      mesh.triangles.push_back({2 * k - 2, 2 * k, 2 * k - 1});
+      mesh.triangles.push_back({2 * k, 2 * k + 1, 2 * k - 1});
+    }
   }
-  const auto corners = cornerUvs(strip, uv);
-  ASSERT_EQ(corners.size(), strip.triangles.size());
+  static Uv chartOf(bool second, const Vec3d& x) {
+    const double u = second ? 0.7 + 0.1 * (x.x - 2) : 0.1 * x.x;
+    return {static_cast<float>(u), static_cast<float>(0.1 * x.y)};
+  }
+};
+
+TEST(TextureCoordinates, TrianglesAcrossASeamContinueOneChart) {
+  const StripWithSeam strip;
+  const auto corners = cornerUvs(strip.mesh, strip.uv);
+  ASSERT_EQ(corners.size(), strip.mesh.triangles.size());
   for (std::size_t t = 0; t < corners.size(); t++)
     for (std::size_t k = 0; k < 3; k++) {
-      EXPECT_LT(std::abs(corners[t][k][0] - corners[t][0][0]), 0.1);
-      if (t < 38 || t > 39) { EXPECT_EQ(corners[t][k], uv[strip.triangles[t][k]]); }
+      // triangle 38 has two corners on the first chart, triangle 39 has two on the second one
+      const Uv exact = StripWithSeam::chartOf(t > 38, strip.mesh.vertices[strip.mesh.triangles[t][k]]);
+      for (std::size_t c = 0; c < 2; c++) EXPECT_NEAR(corners[t][k][c], exact[c], 2e-4) << t << ' ' << k;
+      if (t < 38 || t > 39) { EXPECT_EQ(corners[t][k], strip.uv[strip.mesh.triangles[t][k]]); }
+    }
+}
+
+TEST(TextureCoordinates, VerticesAreDuplicatedAtSeams) {
+  const StripWithSeam strip;
+  ComponentMesh split;
+  split.mesh = strip.mesh;
+  split.uvs = strip.uv;
+  split.colours.resize(strip.uv.size());
+  split.normals.resize(strip.uv.size());
+  for (std::size_t v = 0; v < strip.uv.size(); v++) split.temperatures.push_back(static_cast<float>(v));
+  splitAtSeams(split);
+  ASSERT_EQ(split.mesh.vertices.size(), strip.mesh.vertices.size() + 2);
+  EXPECT_EQ(split.uvs.size(), split.mesh.vertices.size());
+  EXPECT_EQ(split.colours.size(), split.mesh.vertices.size());
+  EXPECT_EQ(split.normals.size(), split.mesh.vertices.size());
+  EXPECT_TRUE(split.velocities.empty());
+  const auto corners = cornerUvs(strip.mesh, strip.uv);
+  for (std::size_t t = 0; t < corners.size(); t++)
+    for (std::size_t k = 0; k < 3; k++) {
+      const std::uint32_t v = split.mesh.triangles[t][k], before = strip.mesh.triangles[t][k];
+      EXPECT_EQ(split.uvs[v], corners[t][k]);
+      EXPECT_EQ(split.temperatures[v], static_cast<float>(before));
+      EXPECT_EQ(length(split.mesh.vertices[v] - strip.mesh.vertices[before]), 0);
     }
 }
