@@ -5,8 +5,8 @@
 The text is performance/text.md; the figures are in docs/performance/ and docs/scaling/.
 
 performance_chart.py [--check]    --check compares the page with the figures and needs no matplotlib
-Placeholders of performance/text.md: {{table}}, {{machine}} and {{predicted PARTICLES RANKS}}, an efficiency
-of the scaling model.
+Placeholders of performance/text.md: {{table}}, {{view}}, {{machine}}, and {{predicted PARTICLES RANKS}}, an
+efficiency of the scaling model.
 """
 import csv
 import os
@@ -132,14 +132,12 @@ def view():
         return float(row["value"]), row
 
     instructions, _ = first("view_instructions", "cost followed")
-    seconds, cost = first("view", "cost followed and drawn")
     rate, drawn = first("view_pictures", "particles and surface, in motion")
     script, _ = first("view_pictures", "particles and surface, script of a picture")
     return (
-        f"a page that follows a run adds {instructions:.2g} % to the instructions of a run, and "
-        f"{seconds:.2g} % to its {cost['note']} %. Without a graphics processor, it draws {rate:.0f} "
-        f"pictures a second in motion, of {int(drawn['particles']):,} particles and "
-        f"{int(drawn['vertices']):,} vertices. A picture takes {script:.1f} ms in JavaScript"
+        f"a page that follows a run adds {instructions:.2g} % to the run's instructions. A picture takes "
+        f"{script:.1f} ms in JavaScript. Without a GPU, {int(drawn['particles']):,} particles and a surface "
+        f"of {int(drawn['vertices']):,} vertices are drawn {rate:.0f} times a second in motion"
     )
 
 
