@@ -40,7 +40,8 @@ enum class SolidPart { Inner, Boundary };
 struct ElasticWork {
   const ElasticKernels* kernels = nullptr;  ///< the bond loops; nullptr: the best for this processor
   const ReferenceKernels* referenceKernels = nullptr;  ///< loops over bonds for reference data
-  /// LawKernels::deformation, of the law that all solids have, or by material. Empty if no law has it.
+  /// Loops with laws of extensions (LawKernels::deformation): one if all solids have the same law, else by
+  /// material. Empty without such laws.
   std::vector<LawLoop> lawLoops;
   // From the scene.
   std::vector<Material> materials;

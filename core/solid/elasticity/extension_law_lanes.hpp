@@ -31,7 +31,7 @@ template<class Law> __attribute__((flatten)) void respondLanes(const LawGroup& g
   g.single ? respondLanesIn<Law, float>(g) : respondLanesIn<Law, double>(g);
 }
 
-/// The law alone. The loop with it is valid for other laws, too, which it calls.
+/// The list of the one law that the loop inlines. Other laws are called.
 template<class Law> struct OneLaw {
   template<class F> static THAW_INLINE bool at(const ElasticLaw& law, F&& f) {
     return law.kernels.lanes == respondLanes<Law> ? (f.template operator()<Law>(), true) : false;
