@@ -69,7 +69,7 @@ struct BodyTouch {
   double shearStiffness = 0;    ///< N/m, of its friction spring
   Vec3d motion{};               ///< m/s, relative to the other bodies
   float liquid = 0;             ///< liquid fraction
-  bool inContact = false;       ///< it or one of its neighbours has a contact force
+  bool inContact = false;       ///< the particle or a neighbour has a contact force
   bool soon = false;            ///< it touches, or will do so within two steps
 };
 

@@ -63,7 +63,7 @@ class Charts {
   std::array<Uv, 3> cornersOf(const Triangle& t) const {
     std::array<Uv, 3> corners{uv_[t[0]], uv_[t[1]], uv_[t[2]]};
     if (!isAcross(t)) return corners;
-    // The chart is that of the corner with most others on it.
+    // Choose the chart that most corners share.
     std::size_t base = 0, most = 0;
     for (std::size_t k = 0; k < 3; k++) {
       std::size_t near = 0;
@@ -117,7 +117,7 @@ class Charts {
   std::unordered_map<std::uint32_t, EdgeSums> sums_;  ///< for vertices of triangles across seams
 };
 
-/// Appends the value of a vertex again.
+/// Appends a copy of the vertex's value.
 template<class T> void repeat(std::vector<T>& values, std::uint32_t v) {
   if (!values.empty()) values.push_back(values[v]);
 }

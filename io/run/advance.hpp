@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One step of a run with all that follows it: surface, frames, ledger, snapshots, checkpoints, balance.
+// One step of a run and its output: surface, frames, ledger, snapshots, checkpoints, balance.
 #pragma once
 #include "io/run/run_state.hpp"
 #include "parallel/balance.hpp"

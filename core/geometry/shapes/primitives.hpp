@@ -10,7 +10,7 @@ namespace thaw {
 class BoxDistance final : public SignedDistance {
  public:
   explicit BoxDistance(const Vec3d& size) : half_(0.5 * size) {}
-  /// Gradient inside: towards the nearest face; of equal faces the first of x, y, z.
+  /// Gradient inside: towards the nearest face; ties go to x, then y, then z.
   double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;
   Bounds bounds() const override { return {-half_, half_}; }
   bool convex() const override { return true; }

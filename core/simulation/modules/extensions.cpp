@@ -7,7 +7,7 @@
 namespace thaw {
 namespace {
 
-/// Records the energy that particles emitted in this step bring: that of pairs with at least one of them.
+/// Records the pair energy of the particles emitted in this step.
 void recordEntry(World& w, const PairSums& sums, PairForceWork& work, const AddedColumn& newborn) {
   const Continuum& p = w.particles;
   bool any = false;

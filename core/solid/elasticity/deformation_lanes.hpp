@@ -167,7 +167,7 @@ __attribute__((flatten)) void deformationOf(ElasticArrays& a) {
 template<class Laws, class Real, bool periodic> void deformationIn(ElasticArrays& a) {
   a.vectors ? deformationOf<Laws, Real, periodic, true>(a) : deformationOf<Laws, Real, periodic, false>(a);
 }
-/// The loop with these laws inlined (law_lanes.hpp).
+/// Runs the bond loop with these laws inlined (law_lanes.hpp).
 template<class Laws> void deformation(ElasticArrays& a) {
   if (a.precision == Precision::Single)
     return a.periodic ? deformationIn<Laws, float, true>(a) : deformationIn<Laws, float, false>(a);

@@ -85,8 +85,8 @@ const ElasticKernels& kernelsOf(const ElasticWork& work) {
   return work.kernels ? *work.kernels : *elasticKernels();
 }
 
-/// Returns the loop for a group: that of an extension's law which all its solids have, or that of the
-/// library. Requires: lawLoops by material.
+/// Returns the bond loop of a group: the extension's loop if all its solids share that law, else the
+/// library's. Requires: lawLoops by material.
 LawLoop loopOf(const ElasticWork& work, const Solids& solids, std::size_t group) {
   const std::size_t first = group * lanes, last = std::min<std::size_t>(first + lanes, solids.owned);
   const LawLoop loop = work.lawLoops[solids.material[first]];

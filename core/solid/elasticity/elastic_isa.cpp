@@ -14,9 +14,9 @@ THAW_INLINE Mat3<LanesD> select(MaskD m, const Mat3<LanesD>& a, const Mat3<Lanes
   return r;
 }
 
-/// The function for one F (core/solid/laws/corotated.hpp) for eight. Each lane stops independently, so its
-/// bits do not depend on its group. Lanes where Newton's iteration does not apply (nearly singular or
-/// inverted F) are found one by one.
+/// Vector version, for eight matrices F, of the function in core/solid/laws/corotated.hpp. Each lane stops
+/// independently, so its bits do not depend on its group. Lanes where Newton's iteration does not apply
+/// (nearly singular or inverted F) are found one by one.
 THAW_INLINE Mat3<LanesD> nearestRotation(const Mat3<LanesD>& f) {
   const LanesD size = doubleDot(f, f) / LanesD(3.0);
   const MaskD usable = determinant(f) > LanesD(newtonsShare) * size * sqrt(size);

@@ -20,7 +20,7 @@ enum ExportContent : unsigned {
   allContent = 31
 };
 
-/// Where a format has texture coordinates.
+/// How a format stores texture coordinates.
 enum class UvPlace : unsigned char { none, vertices, corners };
 
 /// A format has exactly one of the two functions.

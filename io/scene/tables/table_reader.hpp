@@ -124,7 +124,7 @@ class TableReader {
   /// Adds an error of a check at a key, with its path. A key gets one message: nothing is added if it, or one
   /// of `others` on which the check depends, was refused before.
   void fail(const std::string& key, const std::string& text, std::initializer_list<const char*> others = {});
-  /// Adds an error of the value of a key alone, with its path.
+  /// Reports an invalid value, with the key's path.
   void refuseValue(const std::string& key, const std::string& text);
   bool refused(const std::string& key) const { return refused_.count(key) > 0; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fewer points and triangles of the same shape, for pictures in motion where the usual ones take too long.
+// Fewer points and triangles of the same shape, for pictures in motion when full detail is too slow.
 
 const MOST_POINTS = 18000,
   MOST_VERTICES = 8000,
@@ -7,7 +7,7 @@ const MOST_POINTS = 18000,
 
 /// A grid of cubes around points.
 class Grid {
-  /// positions: three numbers each. cell: wanted edge, m.
+  /// positions: three numbers each. cell: target edge length, m.
   constructor(positions, cell) {
     const low = [Infinity, Infinity, Infinity],
       high = [-Infinity, -Infinity, -Infinity];
@@ -16,7 +16,8 @@ class Grid {
       if (positions[k] < low[c]) low[c] = positions[k];
       if (positions[k] > high[c]) high[c] = positions[k];
     }
-    const cellsOf = (edge) => low.map((from, c) => Math.floor((high[c] - from) / edge) + 3); // and a rim
+    // plus a border of empty cells
+    const cellsOf = (edge) => low.map((from, c) => Math.floor((high[c] - from) / edge) + 3);
     const product = ([x, y, z]) => x * y * z;
     let edge = Math.max(cell, 1e-30);
     while (product(cellsOf(edge)) > MOST_CELLS) edge *= 1.3;
@@ -44,8 +45,8 @@ function hashOf(number) {
   return ((h ^ (h >>> 16)) >>> 0) / 2 ** 32;
 }
 
-/// Returns {index, share}: points near an empty cell, which hide all others, and the part of them that is
-/// drawn. size: radius of the spheres, m, which overlap.
+/// Returns {index, share}: points near an empty cell, which hide all others, and the fraction drawn. size:
+/// radius of the spheres, m, which overlap.
 export function exposedPoints({ data, rows }, size) {
   const grid = new Grid(data, 2.5 * size),
     [nx, ny] = grid.counts;
@@ -69,7 +70,7 @@ export function exposedPoints({ data, rows }, size) {
   return { index: index.slice(0, drawn), share };
 }
 
-/// Returns corners of triangles between fewer vertices: one of those in each cell of a grid stands for all.
+/// Returns corners of triangles between fewer vertices: each grid cell keeps one.
 export function coarseTriangles({ data, rows }, { data: corners }) {
   if (rows <= MOST_VERTICES) return corners;
   let length = 0,

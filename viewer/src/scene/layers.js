@@ -65,7 +65,7 @@ export class Layer {
     this.meshes?.setVisible(visible && this.meshed);
   }
 
-  /// Readies the objects of a picture of that quality. height: of the picture, pixels.
+  /// Prepares the objects for the given quality. height: of the picture, pixels.
   prepare(quality, height) {
     if (!this.group.visible) return;
     this.spheres?.prepare(quality, height);

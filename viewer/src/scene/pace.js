@@ -34,7 +34,7 @@ export class Pace {
     this.count = 0;
   }
 
-  /// Takes the cost of a picture in motion (ms), and changes the quality if it is slow or quick. now: ms.
+  /// Records the cost of a picture in motion (ms), and adapts the quality. now: ms.
   add(cost, now) {
     this.count++;
     this.mean = this.count === 1 ? cost : 0.7 * this.mean + 0.3 * cost;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Times of pictures on the graphics processor. Nothing waits for it: fences are looked at between tasks.
+// Times of pictures on the graphics processor. Does not block: fences are polled between tasks.
 
 const POLL = 4, // ms
   MOST_WAITING = 2; // pictures in flight; more delay the reply to the mouse
