@@ -173,7 +173,7 @@ void MpiBondHalo::makeSolids(const SolidTables& t, const BondUpdate& work) {
     fresh_[i].state = view.state;
     most = std::max(most, view.bonds.size());
   }
-  most = std::max({most, graph_.mostBonds(work.requests), graph_.mostBonds(work.pairs)});
+  most = std::max({most, graph_.largestBondCount(work.requests), graph_.largestBondCount(work.pairs)});
   // If later parts of a start need little more, all capacity is reserved at once: each increase reallocates
   // all bonds.
   constexpr int little = 4;

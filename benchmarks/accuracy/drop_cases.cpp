@@ -93,7 +93,8 @@ Vec3d surfaceForce(const World& w, std::size_t i, std::size_t j, const Vec3d& d)
   if (!w.modules.surfaceEnergy) return {};
   const double h = w.grid.support, rho = w.scene.materials[0].density, q2 = dot(d, d) / (h * h);
   const Vec3d x = d / h, u = p.surfaceEnergyByGradient[i] - p.surfaceEnergyByGradient[j];
-  const double slope = isa_base::SurfaceKernel::slope(q2), bend = isa_base::SurfaceKernel::bend(q2);
+  const double slope = isa_base::SurfaceKernel::slope(q2),
+               bend = isa_base::SurfaceKernel::secondDerivative(q2);
   const double along = bend * dot(u, x) + slope * (p.surfaceEnergyByColour[i] + p.surfaceEnergyByColour[j]);
   return (u * slope + x * along) * (-p.mass[i] / rho * (p.mass[j] / rho) / (h * h * h * h));
 }

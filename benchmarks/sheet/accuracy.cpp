@@ -31,14 +31,14 @@ struct State {
 
 void exact(System& s, State& x, double dt, int steps) {
   const ExactStep e = exactStep(s.law, dt);
-  const SplitPush p = splitPush(s.law, e, dt);
+  const SplitForce p = splitForce(s.law, e, dt);
   Values f(x.q.size());
   s(x.q, f);
   for (int k = 0; k < steps; k++) {
     for (std::size_t i = 0; i < x.q.size(); i++) {
       const double pull = s.law.stiffness * x.q[i], v = x.v[i];
-      x.q[i] += e.hold * v + e.yield * (f[i] - pull);
-      x.v[i] = e.keep * v + p.before * f[i] - e.push * pull;
+      x.q[i] += e.qv * v + e.qr * (f[i] - pull);
+      x.v[i] = e.vv * v + p.before * f[i] - e.vr * pull;
     }
     s(x.q, f);
     for (std::size_t i = 0; i < x.q.size(); i++) x.v[i] += p.after * f[i];

@@ -10,9 +10,9 @@ struct Counters {
   std::int64_t singularNeighbourhoods = 0;  ///< particles with a moment matrix of rank < 3 at its last
                                             ///< computation
   std::int64_t brokenBonds = 0;
-  std::int64_t inverted = 0;  ///< particles with det F <= 0 (particle-steps)
-  std::int64_t squeezed = 0;  ///< particles compressed so far that their law, "green", weakens
-                              ///< (particle-steps)
+  std::int64_t inverted = 0;           ///< particles with det F <= 0 (particle-steps)
+  std::int64_t softenedParticles = 0;  ///< particles compressed so far that their law, "green", weakens
+                                       ///< (particle-steps)
   std::int64_t coincidentPairs = 0;
   std::int64_t melted = 0, frozen = 0;  ///< phase changes
   std::int64_t welds = 0;

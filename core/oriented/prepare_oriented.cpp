@@ -67,7 +67,7 @@ void activateOriented(Oriented& o, const Scene& scene, const Modules& modules) {
     o.activate(*c);
   bool changes = false;
   for (const OrientedBody& b : scene.oriented)
-    changes = changes || b.growth != OrientedGrowth::None || b.crowd > 0;
+    changes = changes || b.growth != OrientedGrowth::None || b.removalDistance > 0;
   if (modules.orientedContact || modules.sheetContact)
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&o.external, &o.dissipativeForce}) o.activate(*c);
   if (changes)

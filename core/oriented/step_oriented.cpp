@@ -105,7 +105,7 @@ void stepOriented(const OrientedView& w, Halos halos, double dt) {
   else if (how == OrientedIntegrator::SemiImplicit) stepSemiImplicit(w, halos, dt);
   else stepSymplectic(w, dt);
   w.oriented.exceededReach = exceedsReach(w.oriented.rows, w.scene, before.place);
-  moveConstrainted(w.oriented.rows, w.scene, w.clock.time + dt, dt);
+  moveConstrained(w.oriented.rows, w.scene, w.clock.time + dt, dt);
   recordConstraintWork(w, before, weight);
   recordContactWork(w, before, weight);
   w.times.lap(StepPhase::Oriented);

@@ -15,8 +15,8 @@ namespace {
 /// A piece that this rank needs.
 struct Need {
   std::uint64_t id = 0;
-  std::uint32_t here = 0;  ///< owned particles
-  bool border = false;     ///< another rank may need it: it has particles in border cells, or ghosts
+  std::uint32_t localParticles = 0;  ///< owned particles
+  bool border = false;  ///< another rank may need it: it has particles in border cells, or ghosts
 };
 
 void sortRows(Pieces& p) {
@@ -38,7 +38,7 @@ std::vector<Need> findNeeds(const RigidView& v, const CellHalo& cells, PieceUser
     return *last;
   };
   for (std::size_t i = 0; i < p.owned; i++)
-    if (p.piece[i] != notRigid) add(i).here++;
+    if (p.piece[i] != notRigid) add(i).localParticles++;
   if (users == PieceUsers::AndGhosts)
     for (std::size_t i = p.owned; i < p.size(); i++)
       if (p.piece[i] != notRigid) add(i).border = true;
@@ -84,7 +84,7 @@ void announce(const RigidView& v, const std::vector<Need>& needs, int ranks, Wor
   };
   for (const Need& n : needs) {
     const std::uint32_t row = p.rowOf(n.id);
-    if (n.border || row == noPieceRow || p.count[row] != n.here) send(n.id, holds);
+    if (n.border || row == noPieceRow || p.count[row] != n.localParticles) send(n.id, holds);
   }
   const auto needed = [&](std::uint64_t id) {
     return std::binary_search(needs.begin(), needs.end(), Need{id},
@@ -216,15 +216,15 @@ void linkPieces(const RigidView& v, const Halos& halos, PieceUsers users) {
   p.reorder(kept);
   numbers.number.assign(needs.size(), SharedPieces::notShared);
   for (std::size_t k = 0; k < needs.size(); k++) {
-    p.here[k] = needs[k].here;
+    p.localParticles[k] = needs[k].localParticles;
     const auto at = shared.find(needs[k].id);
     p.shared[k] = at != shared.end();
     if (at != shared.end()) numbers.number[k] = at->second;
-    p.leads[k] = 0;
+    p.recordsEnergy[k] = 0;
   }
   setRows(c, p, users);
   for (std::size_t i = 0; i < c.owned; i++)
-    if (c.piece[i] == c.id[i] + 1) p.leads[c.pieceRow[i]] = 1;
+    if (c.piece[i] == c.id[i] + 1) p.recordsEnergy[c.pieceRow[i]] = 1;
 }
 
 void copyLedRows(const Pieces& from, Pieces& to) {
@@ -233,11 +233,11 @@ void copyLedRows(const Pieces& from, Pieces& to) {
   activatePieces(to);
   std::vector<std::byte> row(from.stateBytes());
   for (std::size_t k = 0; k < from.owned; k++) {
-    if (!from.leads[k]) continue;
+    if (!from.recordsEnergy[k]) continue;
     to.resize(to.owned + 1, 0);
     from.packState(k, row.data());
     to.unpackState(to.owned - 1, row.data());
-    to.leads[to.owned - 1] = 1;
+    to.recordsEnergy[to.owned - 1] = 1;
   }
 }
 

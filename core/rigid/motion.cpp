@@ -52,7 +52,7 @@ void addContactImpulses(const RigidView& v, std::size_t k, double dt) {
   const double before = kineticEnergy(s, k);
   s.momentum[k] += J;
   s.angularMomentum[k] += twist;
-  if (!s.leads[k]) return;
+  if (!s.recordsEnergy[k]) return;
   const double kick = 0.5 * dt * (dot(s.force[k], J) / s.mass[k] + dot(spinOf(s, k, s.torque[k]), twist));
   v.ledger.dissipated.add(before - kineticEnergy(s, k) + kick);
   v.ledger.dissipated.add(s.mass[k] * dot(v.scene.domain.gravity, s.contactShift[k]));
@@ -84,7 +84,7 @@ void addImpulse(const RigidView& v, std::size_t k, const Vec3d& impulse, const V
   const double before = kineticEnergy(s, k);
   s.momentum[k] += impulse;
   s.angularMomentum[k] += twist;
-  if (s.leads[k]) v.ledger.dissipated.add(before - kineticEnergy(s, k));
+  if (s.recordsEnergy[k]) v.ledger.dissipated.add(before - kineticEnergy(s, k));
 }
 
 Vec3d angularAcceleration(const Pieces& p, std::size_t k) {

@@ -125,20 +125,20 @@ void updateRest(const RigidView& v, const RestInput& x, Reducer& all) {
   for (std::size_t k = 0; k < p.owned; k++)
     if (!p.sleeping[k] && !p.fixed[k])
       p.restTime[k] = isAtRest(v, k, x.after[k], x.dt) ? p.restTime[k] + x.dt : 0;
-  std::vector<std::int64_t> unrest(p.owned, 0);
+  std::vector<std::int64_t> movingNeighbours(p.owned, 0);
   const auto rests = [&](std::size_t k) { return p.sleeping[k] || p.fixed[k] || p.restTime[k] >= enough; };
   for (const FoundContact& f : x.contacts) {
     const RigidContact& c = f.contact;
     if (c.b == noPiece) {
-      unrest[c.a] += !(c.otherVelocity == Vec3d{});
+      movingNeighbours[c.a] += !(c.otherVelocity == Vec3d{});
       continue;
     }
-    unrest[c.a] += !rests(c.b);
-    unrest[c.b] += !rests(c.a);
+    movingNeighbours[c.a] += !rests(c.b);
+    movingNeighbours[c.b] += !rests(c.a);
   }
-  sumOfRows(v, unrest, all);
+  sumOfRows(v, movingNeighbours, all);
   for (std::size_t k = 0; k < p.owned; k++)
-    if (!p.fixed[k] && p.restTime[k] >= enough && unrest[k] == 0) p.sleeping[k] = 1;
+    if (!p.fixed[k] && p.restTime[k] >= enough && movingNeighbours[k] == 0) p.sleeping[k] = 1;
 }
 
 void balanceSleeping(Pieces& p, double dt) {
@@ -159,7 +159,7 @@ void balanceSleeping(Pieces& p, double dt) {
 std::int64_t countAsleep(const Pieces& p) {
   std::int64_t count = 0;
   for (std::size_t k = 0; k < p.owned; k++)
-    if (p.sleeping[k]) count += p.here[k];
+    if (p.sleeping[k]) count += p.localParticles[k];
   return count;
 }
 

@@ -445,7 +445,7 @@ void remakePieces(const RigidView& v, const Halos& halos, bool atStart) {
   refresh(halos.cells, c, changed).wait();
   linkPieces(v, halos, PieceUsers::Owned);
   for (std::size_t k = 0; k < n.ids.size() && !atStart; k++)
-    if (const std::uint32_t row = p.rowOf(n.ids[k]); row != noPieceRow && p.leads[row])
+    if (const std::uint32_t row = p.rowOf(n.ids[k]); row != noPieceRow && p.recordsEnergy[row])
       recordJoining(v, row, sums.data() + motionSums * k);
 }
 

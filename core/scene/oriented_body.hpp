@@ -101,7 +101,8 @@ struct OrientedBody {
   OrientedGrowth growth = OrientedGrowth::None;
   double gap = 1.5;  // 1, distance of neighbours, in spacings, above which a particle is inserted between
                      // them
-  double crowd = 0;  // 1, distance in spacings below which one of two particles is removed; 0: never
+  double removalDistance = 0;   // 1, distance in spacings below which one of two particles is removed; 0:
+                                // never
   std::int64_t every = 10;      // steps between checks for births and deaths
   std::int64_t most = 1000000;  // largest number of particles
   std::vector<OrientedField> fields;

@@ -6,16 +6,16 @@ namespace {
 
 inline void moveOne(const VertexMap& m, double& x, double& v, double rest, double load) {
   const double pull = m.stiffness * (x - rest), u = v;
-  x += m.hold * u + m.yield * (load - pull);
-  v = m.keep * u + (m.before * load - m.push * pull);
+  x += m.qv * u + m.qr * (load - pull);
+  v = m.vv * u + (m.before * load - m.vr * pull);
 }
 
 }  // namespace
 
 VertexMap vertexMap(const SpringLaw& law, double dt) {
   const ExactStep x = exactStep(law, dt);
-  const SplitPush s = splitPush(law, x, dt);
-  return {x.hold, x.keep, x.yield, x.push, law.stiffness, s.before, s.after};
+  const SplitForce s = splitForce(law, x, dt);
+  return {x.qv, x.vv, x.qr, x.vr, law.stiffness, s.before, s.after};
 }
 
 void moveVertices(std::span<const VertexMap> maps, const VertexArrays& a, std::size_t begin,

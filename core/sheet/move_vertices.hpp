@@ -12,9 +12,9 @@ namespace thaw {
 
 /// Coefficients of a law for one step.
 struct VertexMap {
-  double hold, keep, yield, push;  ///< ExactStep
-  double stiffness;                ///< N/m^3
-  double before, after;            ///< SplitPush
+  double qv, vv, qr, vr;  ///< ExactStep
+  double stiffness;       ///< N/m^3
+  double before, after;   ///< SplitForce
 };
 VertexMap vertexMap(const SpringLaw& law, double dt);
 
@@ -27,7 +27,7 @@ struct VertexArrays {
 };
 
 /// Updates positions, and velocities up to the load after the step. With z = x - rest and r = f - K z: x +=
-/// hold v + yield r, v = keep v - push K z + before f. Vertices are independent, so order and vectorisation
+/// qv v + qr r, v = vv v - vr K z + before f. Vertices are independent, so order and vectorisation
 /// do not change bits.
 void moveVertices(std::span<const VertexMap> maps, const VertexArrays& a, std::size_t begin, std::size_t end);
 

@@ -45,7 +45,7 @@ void addFastForces(World& w, Halos& halos, StepTools& t, double span) {
   t.times.lap(StepPhase::Bonds);
   r += computeDeformationAndStress(t.solid.elastic, w.solids, w.bonds, now, SolidPart::Boundary);
   w.counters.inverted += r.inverted;
-  w.counters.squeezed += r.squeezed;
+  w.counters.softenedParticles += r.softenedParticles;
   t.times.lap(StepPhase::Elastic);
   ends = refresh(halos.bonds, w.solids, remoteColumnsBeforeForces(w.solids));
   t.times.lap(StepPhase::Bonds);

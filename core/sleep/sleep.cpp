@@ -178,10 +178,11 @@ void markSleepingInner(const SleepView& w) {
   }
   s.seen.assign(any ? 0 : 1, RowSpan{0, static_cast<std::uint32_t>(p.owned)});
   if (!any) return;
-  s.quiet.resize(n);
-  lookAround(w.cells, s.known, s.quiet);
+  s.surroundedBySkipped.resize(n);
+  lookAround(w.cells, s.known, s.surroundedBySkipped);
   for (std::size_t c = 0; c < n; c++)
-    if (!s.quiet[c] && w.cells.first[c] < p.owned) addRows(s.seen, w.cells.first[c], w.cells.count[c]);
+    if (!s.surroundedBySkipped[c] && w.cells.first[c] < p.owned)
+      addRows(s.seen, w.cells.first[c], w.cells.count[c]);
 }
 
 void markSleeping(const SleepView& w) {
@@ -215,7 +216,7 @@ std::span<const RowSpan> awakeRows(const Modules& modules, const Continuum& p, S
   return sleep.rows;
 }
 
-std::span<const RowSpan> rowsToSee(const Modules& modules, const Continuum& p, SleepWork& sleep) {
+std::span<const RowSpan> visibleRows(const Modules& modules, const Continuum& p, SleepWork& sleep) {
   if (!modules.sleep) sleep.seen.assign(1, RowSpan{0, static_cast<std::uint32_t>(p.owned)});
   return sleep.seen;
 }

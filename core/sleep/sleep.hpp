@@ -13,7 +13,7 @@
 // If all particles in the 27 cells are at stage 3, the middle cell is skipped. All its results are those of
 // the last step, including the stress at other ends of its bonds. Passes skip its rows (awakeRows), and its
 // constraint force enters the ledger as a cached sum. If all surrounding cells are skipped too, its records
-// are not packed (rowsToSee).
+// are not packed (visibleRows).
 // A moving particle wakes all surrounding cells within a step, which is faster than any wave (a cell is at
 // least a support radius wide). Skipped results have the same bits as computed ones, so the skipped cells may
 // depend on the rank (after a migration everything is recomputed). The sleep stage and the constraint force
@@ -43,10 +43,11 @@ struct WallContacts;
 struct SleepWork {
   bool recomputeAll = true;  ///< sleepers have not been computed on this rank since the start, a restart, or
                              ///< their arrival
-  std::vector<std::uint8_t> cell;          ///< by cell: bits common to its particles
-  std::vector<std::uint8_t> around;        ///< by cell: bits common to the 27 surrounding cells
-  std::vector<std::uint8_t> known, quiet;  ///< by cell: it is skipped; all 27 surrounding cells are skipped
-  std::vector<RowSpan> rows;               ///< owned rows that are not skipped, with small gaps included
+  std::vector<std::uint8_t> cell;                        ///< by cell: bits common to its particles
+  std::vector<std::uint8_t> around;                      ///< by cell: bits common to the 27 surrounding cells
+  std::vector<std::uint8_t> known, surroundedBySkipped;  ///< by cell: it is skipped; all 27 surrounding cells
+                                                         ///< are skipped
+  std::vector<RowSpan> rows;  ///< owned rows that are not skipped, with small gaps included
   std::vector<RowSpan> seen;  ///< owned rows in the 27 cells around cells that are not skipped, with small
                               ///< gaps included
   std::vector<std::uint64_t> steadyCells, steadyBefore;  ///< keys of cells with steady rows, in this step and
@@ -80,7 +81,7 @@ void markSleeping(const SleepView& view);
 std::span<const RowSpan> awakeRows(const Modules& modules, const Continuum& particles, SleepWork& sleep);
 /// Returns the owned rows whose positions and velocities are read by some row in the 27 surrounding cells.
 /// Valid from markSleepingInner on.
-std::span<const RowSpan> rowsToSee(const Modules& modules, const Continuum& particles, SleepWork& sleep);
+std::span<const RowSpan> visibleRows(const Modules& modules, const Continuum& particles, SleepWork& sleep);
 
 /// Removes wall contacts of skipped rows from the list.
 void dropSkippedContacts(const SleepWork& sleep, WallContacts& contacts);

@@ -11,7 +11,7 @@ WallSpring springNow(const WallContext& x, std::uint32_t row) {
 }
 
 /// Distance (m) that a particle moves away from a wall in the next step, or in its first substep.
-double comingMove(const WallContext& x, const WallContact& c, const ComingStep& next) {
+double comingMove(const WallContext& x, const WallContact& c, const NextStepLengths& next) {
   const WallView& w = x.world;
   const Continuum& p = w.particles;
   const double dt = w.modules.substeps && takesSubsteps(p, c.row) ? next.substep : next.step;
@@ -21,7 +21,7 @@ double comingMove(const WallContext& x, const WallContact& c, const ComingStep& 
 
 }  // namespace
 
-void rememberSprings(const WallContext& x, const WallContacts& contacts, std::vector<SpringBefore>& springs) {
+void listSpringStates(const WallContext& x, const WallContacts& contacts, std::vector<SpringState>& springs) {
   springs.clear();
   const WallView& w = x.world;
   const double reach = longestSpring * w.scene.spacing;
@@ -33,7 +33,7 @@ void rememberSprings(const WallContext& x, const WallContacts& contacts, std::ve
 }
 
 void recordSpringChanges(const WallContext& x, const WallContacts& contacts,
-                         const std::vector<SpringBefore>& springs, const ComingStep& next) {
+                         const std::vector<SpringState>& springs, const NextStepLengths& next) {
   for (const auto& [row, before] : springs) {
     const WallSpring now = springNow(x, row);
     if (now.length == before.length && now.stiffness == before.stiffness) continue;

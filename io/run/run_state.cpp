@@ -60,7 +60,7 @@ void watchRelaxation(Run& r) {
       r.say(
           fmt::format("oriented: iteration {} of relaxation, largest force {:.2e} of stiffness times "
                       "spacing, {} particles, {:.1f} s",
-                      done, r.tools.oriented.unrest, r.tools.oriented.relaxing, since(r.startedAt)));
+                      done, r.tools.oriented.residualForce, r.tools.oriented.relaxing, since(r.startedAt)));
     }
     return !monitor.reason().empty();
   };
@@ -77,7 +77,7 @@ void reportRelaxation(Run& r) {
   if (o.relaxed == 0 && !o.relaxStopped) return;
   const std::string line = fmt::format(
       "oriented: {} iterations of relaxation; the largest force is {:.2e} of stiffness times spacing",
-      o.relaxed, o.unrest);
+      o.relaxed, o.residualForce);
   if (o.atRest) return r.say(line);
   std::string why = ": it reached the limit of iterations before rest (below 1e-9, no births)";
   if (o.relaxStopped) why = ": it was stopped before rest";
@@ -173,8 +173,8 @@ std::string sleepingPiecesText(Run& r) {
   const Pieces& p = r.world.pieces;
   std::array<std::int64_t, 2> count{};
   for (std::size_t k = 0; k < p.owned; k++) {
-    count[0] += p.leads[k] && p.sleeping[k];
-    count[1] += p.leads[k];
+    count[0] += p.recordsEnergy[k] && p.sleeping[k];
+    count[1] += p.recordsEnergy[k];
   }
   r.all.sum(count);
   return fmt::format("  sleeping {} of {}", count[0], counted(count[1], "piece"));

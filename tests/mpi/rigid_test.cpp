@@ -24,7 +24,7 @@ StateHash hashOf(const World& w, Reducer& all) {
     sum.particles += static_cast<std::int64_t>(h >> 24);
   }
   for (std::size_t k = 0; k < w.pieces.owned; k++) {
-    if (!w.pieces.leads[k]) continue;
+    if (!w.pieces.recordsEnergy[k]) continue;
     std::uint64_t h = mixBits(w.pieces.id[k] + w.pieces.count[k]);
     for (int a = 0; a < 3; a++) {
       h = mixed(mixed(h, w.pieces.centre[k][a]), w.pieces.angularMomentum[k][a]);

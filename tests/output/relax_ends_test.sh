@@ -14,7 +14,7 @@ awk 'BEGIN {
   }
   print "spacing = 0.05\nend = 0.01\n[domain]\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\ngravity = [0, 0, 0]"
   printf "[[oriented]]\nname = \"ball\"\npoints = [%s]\nnormals = [%s]\n", places, normals
-  print "growth = \"borders\"\ncrowd = 0.6\nattract = 0.1\ncocircular = 1.5\ndamping = 60"
+  print "growth = \"borders\"\nremoval_distance = 0.6\nattract = 0.1\ncocircular = 1.5\ndamping = 60"
   print "spin_damping = 60\nrelax = 10000000\n[output]\nevery = 0.01"
 }' >"$work/ball.toml"
 for ranks in 1 2 3 4 7; do

@@ -179,8 +179,8 @@ double forceOfBar(const char* law, double length) {
 
 /// Particle-steps of a bar that hits a floor at 0.8 of its speed of sound.
 struct BarImpact {
-  std::int64_t inverted, squeezed;
-  std::int64_t squeezedFirst;  ///< until the first inversion
+  std::int64_t inverted, softened;
+  std::int64_t softenedFirst;  ///< until the first inversion
 };
 
 BarImpact barImpact(const char* law) {
@@ -194,9 +194,9 @@ BarImpact barImpact(const char* law) {
       ADD_FAILURE() << "the step failed before an inversion";
       break;
     }
-  const std::int64_t first = run.w.counters.squeezed;
+  const std::int64_t first = run.w.counters.softenedParticles;
   EXPECT_TRUE(run.run());
-  return {run.w.counters.inverted, run.w.counters.squeezed, first};
+  return {run.w.counters.inverted, run.w.counters.softenedParticles, first};
 }
 
 /// Returns the number of particles that are reported when a box of 64 is compressed slowly to a fraction of
@@ -212,10 +212,10 @@ std::int64_t reportedOfBox(const char* law, double volumeStiffness, double lengt
     const Vec3d d{c, n, 0};
     p.position[i] += d * ((length - 1) * dot(d, p.position[i]));
   }
-  const std::int64_t before = run.w.counters.squeezed;
+  const std::int64_t before = run.w.counters.softenedParticles;
   evaluate(run.w, run.halos(), run.tools, 0);
   EXPECT_EQ(run.w.counters.inverted, 0);
-  return run.w.counters.squeezed - before;
+  return run.w.counters.softenedParticles - before;
 }
 
 }  // namespace
@@ -235,13 +235,13 @@ TEST(Stability, Row05Compression) {
   EXPECT_EQ(reportedOfBox("green", 1e5, 0.1), 0);
   EXPECT_EQ(reportedOfBox("neo-hookean", 0, 0.1), 0);
   EXPECT_EQ(reportedOfBox("corotated", 0, 0.1), 0);
-  EXPECT_GT(green.squeezedFirst, 0);  // reported before inversion
-  EXPECT_EQ(neoHookean.squeezed + corotated.squeezed, 0);
+  EXPECT_GT(green.softenedFirst, 0);  // reported before inversion
+  EXPECT_EQ(neoHookean.softened + corotated.softened, 0);
   measured(
-      "squeezed below 0.577 in that impact: %lld particle-steps with green, %lld of them by when the first "
+      "softened below 0.577 in that impact: %lld particle-steps with green, %lld of them by when the first "
       "is "
       "inside out; pressed slowly: 0 of 64 reported at 0.58, 64 at 0.575",
-      static_cast<long long>(green.squeezed), static_cast<long long>(green.squeezedFirst));
+      static_cast<long long>(green.softened), static_cast<long long>(green.softenedFirst));
   const auto softening = [](const char* law) { return forceOfBar(law, 0.1) / forceOfBar(law, 0.577); };
   measured(
       "force at 0.1 of the length over that at 0.577: green %.2f, neo-hookean %.2f, corotated %.2f; "

@@ -15,7 +15,7 @@ constexpr double dx = 0.01;
 
 /// A measure that grows if steps are too long: kinetic, elastic and potential energy, or the spread of
 /// temperature.
-double unrest(Simulation& run) {
+double residualForce(Simulation& run) {
   const Balance b = run.ledgerReport().now;
   const Continuum& p = run.particles();
   double t = 0;
@@ -46,11 +46,11 @@ Growth growthOf(Scene s, double fixed, int steps, double jitter, double speed, d
   const double dt = fixed > 0 ? fixed : run.w.clock.dt;
   if (fixed == 0) run.w.clock.dt = dt;
   EXPECT_TRUE(run.step());
-  const double first = unrest(run);
+  const double first = residualForce(run);
   Growth g{1, run.w.clock.dt, run.w.clock.limitedBy, true};
   for (int n = 0; n < steps && g.finite && g.factor < 1e6; n++) {
     g.finite = run.step();
-    g.factor = g.finite ? unrest(run) / first : never;
+    g.factor = g.finite ? residualForce(run) / first : never;
   }
   return g;
 }

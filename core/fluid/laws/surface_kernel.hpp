@@ -9,7 +9,7 @@ namespace THAW_ISA {
 
 /// W = 315 / (64 pi) (1 - q^2)^3 for any kernel of the scene. Its slope weights second neighbours almost like
 /// first ones, so the surface energy depends little on the arrangement of particles. grad W = slope d; the
-/// Hessian is slope 1 + bend d d.
+/// Hessian is slope 1 + secondDerivative d d.
 struct SurfaceKernel {
   template<class T> static THAW_INLINE T w(T q2) {
     const T u = max(T(1.0) - q2, T(0.0));
@@ -19,7 +19,9 @@ struct SurfaceKernel {
     const T u = max(T(1.0) - q2, T(0.0));
     return T(-945 / (32 * pi)) * (u * u);
   }
-  template<class T> static THAW_INLINE T bend(T q2) { return T(945 / (8 * pi)) * max(T(1.0) - q2, T(0.0)); }
+  template<class T> static THAW_INLINE T secondDerivative(T q2) {
+    return T(945 / (8 * pi)) * max(T(1.0) - q2, T(0.0));
+  }
 };
 
 }  // namespace THAW_ISA

@@ -85,7 +85,7 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     if (x.walls.beside) addWalls();
     if (x.summed)
       for (int l = 0; l < at.count; l++) x.summed[at.row[l]] = static_cast<float>(s.relativeDensity[l]);
-    countCrowded();
+    countCompressed();
     if constexpr (Surfaces) shift();
     Tensor<L> now, next;
     if constexpr (Corrected) correct(now, next);
@@ -152,10 +152,10 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     }
   }
 
-  THAW_INLINE void countCrowded() {
-    constexpr double tooCrowded = 1.3;
+  THAW_INLINE void countCompressed() {
+    constexpr double largestDensityRatio = 1.3;
     const L carried = narrowed(compression, L(0.0));
-    const typename L::Mask crowded = (s.relativeDensity > L(tooCrowded) * (L(1.0) + carried)) &
+    const typename L::Mask crowded = (s.relativeDensity > L(largestDensityRatio) * (L(1.0) + carried)) &
                                      (s.liquidFraction > L(0.0)) & (s.liquidKernelSum > L(0.0));
     if (!any(crowded)) return;
     for (int l = 0; l < at.count; l++) *x.crowded += laneOf(crowded, l) && awake >> l & 1;

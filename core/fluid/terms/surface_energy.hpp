@@ -62,7 +62,7 @@ template<class Real> struct SurfaceForces {
             dz = positionDifference(i.positionVolume.c, j.positionVolume.c);
     const L q2 = dx * dx + dy * dy + dz * dz, VV = i.positionVolume.d * j.positionVolume.d;
     // grad W = slope d, H = slope 1 + bend d d
-    const L slope = SurfaceKernel::slope(q2), bend = SurfaceKernel::bend(q2);
+    const L slope = SurfaceKernel::slope(q2), bend = SurfaceKernel::secondDerivative(q2);
     const L x = i.surfaceEnergyDerivatives.a - j.surfaceEnergyDerivatives.a,
             y = i.surfaceEnergyDerivatives.b - j.surfaceEnergyDerivatives.b,
             z = i.surfaceEnergyDerivatives.c - j.surfaceEnergyDerivatives.c;

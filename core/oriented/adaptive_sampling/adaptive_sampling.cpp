@@ -297,8 +297,8 @@ PopulationChange selectChanges(const OrientedView& w) {
         const Vec3d d = r + o.candidate[j] - o.candidate[i];
         wins = dot(d, d) >= 0.81 * p.spacing * p.spacing;
       }
-      if (body.crowd > 0 && !(o.flags[i] & fixedPosition) && isNeighbour(o, p, i, j) &&
-          dot(r, r) < body.crowd * body.crowd * p.spacing * p.spacing)
+      if (body.removalDistance > 0 && !(o.flags[i] & fixedPosition) && isNeighbour(o, p, i, j) &&
+          dot(r, r) < body.removalDistance * body.removalDistance * p.spacing * p.spacing)
         dies = dies || (o.flags[j] & fixedPosition) || own < deathRank(j);
     }
     if (dies) change.dead.push_back(static_cast<std::uint32_t>(i));
@@ -322,7 +322,8 @@ bool adaptSamplingDue(const Scene& scene, const Clock& clock, double dt) {
   bool due = false;
   if (dt == 0) return due;
   for (const OrientedBody& b : scene.oriented)
-    due = due || ((b.growth != OrientedGrowth::None || b.crowd > 0) && (clock.step + 1) % b.every == 0);
+    due = due ||
+          ((b.growth != OrientedGrowth::None || b.removalDistance > 0) && (clock.step + 1) % b.every == 0);
   return due;
 }
 

@@ -41,8 +41,8 @@ struct OrientedWork {
   std::vector<Vec3d> rest, restSpin, along, alongSpin, image, imageSpin;
   double fastest2 = 0;  ///< 1/s^2, largest squared frequency of contacts between this rank's oriented and
                         ///< continuum particles
-  double unrest = 0;    ///< largest force left by relaxation, over stiffness times spacing
-  bool begins = false;  ///< the next evaluation is the first: it applies the events of time 0
+  double residualForce = 0;       ///< largest force left by relaxation, over stiffness times spacing
+  bool begins = false;            ///< the next evaluation is the first: it applies the events of time 0
   std::int64_t relaxAtLeast = 0;  ///< least iterations of relaxation at the start for all bodies, set by a
                                   ///< command
   std::int64_t relaxed = 0;       ///< iterations of relaxation at the start

@@ -5,7 +5,7 @@
 
 namespace thaw {
 
-/// State before a step of dt (s), for recordConstraintWork: call stateBefore, the step, moveConstrainted,
+/// State before a step of dt (s), for recordConstraintWork: call stateBefore, the step, moveConstrained,
 /// recordConstraintWork.
 struct StateBefore {
   double dt;

@@ -26,7 +26,7 @@ Quat turnOf(const Mat3d& m) {
 
 }  // namespace
 
-void moveConstrainted(Oriented& o, const Scene& scene, double time, double dt) {
+void moveConstrained(Oriented& o, const Scene& scene, double time, double dt) {
   for (std::size_t i = 0; i < o.owned; i++) {
     if (!(o.flags[i] & (fixedPosition | fixedOrientation))) continue;
     const OrientedBody& body = scene.oriented[o.body[i]];

@@ -11,6 +11,6 @@ inline constexpr std::uint16_t noConstraint = 0xffff;
 
 /// Moves fixed rows to where their constraints are at a time (s), dt after the last call, and sets their
 /// velocity and spin. Releases rows of constraints that have ended.
-void moveConstrainted(Oriented& rows, const Scene& scene, double time, double dt);
+void moveConstrained(Oriented& rows, const Scene& scene, double time, double dt);
 
 }  // namespace thaw

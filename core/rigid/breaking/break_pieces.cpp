@@ -119,7 +119,7 @@ void splitPieces(const RigidView& v, const Halos& halos, const Cuts& cuts) {
     ahead[i] = dot(minimumImage(p.position[i] - cut.origin, periods), cut.normal) > 0;
   }
   std::int64_t broken = 0;
-  for (std::size_t k = 0; k < cuts.size(); k++) broken += cuts[k] && v.pieces.leads[k];
+  for (std::size_t k = 0; k < cuts.size(); k++) broken += cuts[k] && v.pieces.recordsEnergy[k];
   labelPieces(v, halos, false,
               {.parted = [&](std::uint32_t i, std::uint32_t j) { return ahead[i] != ahead[j]; }});
   markFractures(v, ahead);

@@ -33,7 +33,7 @@ Vec3d roundPoint(const PlacedElement& e, const Vec3d& direction) {
 
 /// The same with sharp edges.
 Vec3d outerPoint(const PlacedElement& e, const Vec3d& direction) {
-  return sharpTowards(e, direction) ? e.edge.to : roundPoint(e, direction);
+  return isEdgeOutermost(e, direction) ? e.edge.to : roundPoint(e, direction);
 }
 
 std::optional<Vec3d> commonNormal(const PlacedElement& a, const PlacedElement& b) {
@@ -50,7 +50,7 @@ std::optional<Vec3d> commonNormal(const PlacedElement& a, const PlacedElement& b
 }
 
 /// Distance (m) along a plane element from its particle to a point.
-double asideOf(const PlacedElement& plane, const Vec3d& point) {
+double tangentialDistanceOf(const PlacedElement& plane, const Vec3d& point) {
   const Vec3d to = point - plane.position;
   return length(to - dot(to, plane.normal) * plane.normal);
 }
@@ -65,7 +65,7 @@ std::optional<ElementContact> crossingOf(const PlacedElement& a, const PlacedEle
   const double sine = length(across);
   if (!(sine > leastCrossing)) return {};
   const Vec3d n = across / (dot(ea.to, across) < 0 ? sine : -sine);
-  if (!sharpTowards(a, -n) || !sharpTowards(b, n)) return {};
+  if (!isEdgeOutermost(a, -n) || !isEdgeOutermost(b, n)) return {};
   const Vec3d pa = a.position + ea.to, pb = b.position + eb.to, between = pa - pb;
   const double k = dot(across, n), sa = -dot(cross(between, eb.along), n) / k,
                sb = -dot(cross(between, ea.along), n) / k;
@@ -85,7 +85,7 @@ std::optional<ElementContact> edgeOnSphere(const PlacedElement& a, const PlacedE
   const double size = length(line);
   if (!(size > 0)) return {};
   const Vec3d n = line / size;
-  if (!sharpTowards(a, -n) || !reaches(b, n, spacing)) return {};
+  if (!isEdgeOutermost(a, -n) || !reaches(b, n, spacing)) return {};
   const double gap = size - b.radius;
   return ElementContact{point - 0.5 * gap * n, n, gap, std::abs(s)};
 }
@@ -114,17 +114,18 @@ std::optional<ElementContact> contactOf(const PlacedElement& a, const PlacedElem
   const Vec3d outerA = planes ? outerPoint(a, -*n) : roundPoint(a, -*n),
               outerB = planes ? outerPoint(b, *n) : roundPoint(b, *n);
   ElementContact c{{}, *n, height + dot(outerA - outerB, *n), length(to - height * *n)};
-  const bool edge = planes && (sharpTowards(a, -*n) || sharpTowards(b, *n));
+  const bool edge = planes && (isEdgeOutermost(a, -*n) || isEdgeOutermost(b, *n));
   if (edge && -c.gap > deepestEdge * spacing) return {};
   // surface points of spheres and edges; on planes the point opposite
   const Vec3d pa = a.position + outerA, pb = b.position + outerB;
   const Vec3d middle = a.plane() == b.plane() ? 0.5 * (pa + pb) : a.plane() ? pb : pa;
   const double between = a.plane() == b.plane() ? 0 : (a.plane() ? 0.5 : -0.5) * c.gap;
   c.point = middle + between * *n;
-  if (a.plane() && b.plane()) return c.aside <= elementReach * spacing ? std::optional(c) : std::nullopt;
+  if (a.plane() && b.plane())
+    return c.tangentialDistance <= elementReach * spacing ? std::optional(c) : std::nullopt;
   if (!a.plane() && !b.plane()) return c;
-  c.aside = asideOf(a.plane() ? a : b, c.point);
-  return c.aside <= planeReach * spacing ? std::optional(c) : std::nullopt;
+  c.tangentialDistance = tangentialDistanceOf(a.plane() ? a : b, c.point);
+  return c.tangentialDistance <= planeReach * spacing ? std::optional(c) : std::nullopt;
 }
 
 bool onPart(const SharpEdge& e, double s, double spacing) {
@@ -142,7 +143,7 @@ PlacedElement placedElement(const SurfaceElement& e, const Vec3d& position, cons
   return placed;
 }
 
-bool sharpTowards(const PlacedElement& e, const Vec3d& direction) {
+bool isEdgeOutermost(const PlacedElement& e, const Vec3d& direction) {
   return e.sharp() && dot(e.edge.to, direction) > cone * e.offset;
 }
 
@@ -172,7 +173,7 @@ double extentOf(const PlacedElement& e, double spacing) {
 std::optional<OutermostPoint> outermost(const PlacedElement& e, const Vec3d& direction, double spacing) {
   const auto fixed = [](const Vec3d& x) { return OutermostPoint{x, x, false}; };
   if (e.round()) {
-    if (sharpTowards(e, direction)) return fixed(e.position + e.edge.to);
+    if (isEdgeOutermost(e, direction)) return fixed(e.position + e.edge.to);
     return OutermostPoint{e.position + e.offset * direction, e.position, false};
   }
   const double cosine = dot(e.normal, direction);

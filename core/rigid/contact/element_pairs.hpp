@@ -25,11 +25,11 @@ struct PlacedElement {
 };
 
 struct ElementContact {
-  Vec3d point{};          ///< m
-  Vec3d normal{};         ///< unit vector towards the first element
-  double gap = 0;         ///< m
-  double aside = 0;       ///< m, distance along the surface: of the two particles, or of the point from the
-                          ///< particle of a plane
+  Vec3d point{};                  ///< m
+  Vec3d normal{};                 ///< unit vector towards the first element
+  double gap = 0;                 ///< m
+  double tangentialDistance = 0;  ///< m, distance along the surface: of the two particles, or of the point
+                                  ///< from the particle of a plane
   bool crossing = false;  ///< two sharp edges cross
 };
 
@@ -42,7 +42,7 @@ PlacedElement placedElement(const SurfaceElement& e, const Vec3d& position, cons
                             double spacing);
 
 /// Returns true if the edge or corner of an element is its outermost point in a direction (unit vector).
-bool sharpTowards(const PlacedElement& e, const Vec3d& direction);
+bool isEdgeOutermost(const PlacedElement& e, const Vec3d& direction);
 
 /// Returns true if the element of an edge describes the edge at s (m) along it, from its nearest point.
 bool onPart(const SharpEdge& edge, double s, double spacing);
@@ -58,9 +58,9 @@ double extentTowards(const PlacedElement& e, const Vec3d& direction, double spac
 double extentOf(const PlacedElement& e, double spacing);
 
 struct OutermostPoint {
-  Vec3d point{};   ///< m
-  Vec3d anchor{};  ///< m, body point whose distance from a plane there does not change as the body turns: the
-                   ///< centre of curvature, or the point itself
+  Vec3d point{};            ///< m
+  Vec3d curvatureCentre{};  ///< m, body point whose distance from a plane there does not change as the body
+                            ///< turns: the centre of curvature, or the point itself
   bool atRim = false;  ///< the element ends there; another one is likely to be further out
 };
 

@@ -254,8 +254,10 @@ Vec3d beyondFace(const Search& s, const Candidate& plane, std::span<const Candid
     const Vec3d to = plane.contact->point - from;
     return to - dot(to, n) * n;
   };
-  const double most = elementReach * s.in.scene.spacing, aside = plane.contact->aside;
-  Vec3d beyond = aside > most ? (1 - most / aside) * along(plane.element().position) : Vec3d{};
+  const double most = elementReach * s.in.scene.spacing,
+               tangentialDistance = plane.contact->tangentialDistance;
+  Vec3d beyond = tangentialDistance > most ? (1 - most / tangentialDistance) * along(plane.element().position)
+                                           : Vec3d{};
   for (const Candidate& c : candidates) {
     if (c.bend < 2 || c.particle->piece != plane.particle->piece) continue;
     const Vec3d to = along(c.element().position);
@@ -350,8 +352,8 @@ bool replaces(const Search& s, const PlacedElement& a, const Candidate& o, const
   if (edge != (a.round() && o.bend == 2)) return edge ? gap < other + even : other >= gap + even;
   if (o.bin != c.bin) return false;
   if (o.bend == 0 && c.bend == 0)
-    return std::tuple(o.beyond, o.particle->bend, o.contact->aside, id(o)) <
-           std::tuple(c.beyond, c.particle->bend, c.contact->aside, id(c));
+    return std::tuple(o.beyond, o.particle->bend, o.contact->tangentialDistance, id(o)) <
+           std::tuple(c.beyond, c.particle->bend, c.contact->tangentialDistance, id(c));
   return nearer;
 }
 
@@ -459,9 +461,9 @@ void addWallContact(Search& s, std::uint32_t i, std::uint32_t k, const ElementCo
 }
 
 /// Rise (m) of a point of a piece along a normal in the next step because its path is curved.
-double riseOf(const Search& s, std::uint32_t i, const Vec3d& anchor, const Vec3d& normal) {
+double riseOf(const Search& s, std::uint32_t i, const Vec3d& curvatureCentre, const Vec3d& normal) {
   const PieceMotion& m = s.motion[s.in.particles.pieceRow[i]];
-  const Vec3d arm = minimumImage(anchor - m.centre, s.periods);
+  const Vec3d arm = minimumImage(curvatureCentre - m.centre, s.periods);
   return 0.5 * s.in.step * s.in.step * dot(normal, cross(m.spin, cross(m.spin, arm)));
 }
 
@@ -484,7 +486,7 @@ void wallContacts(Search& s, std::uint32_t i, std::uint32_t k) {
       gap = wall.shape->distance(toRest(wall.pose, point), &gradient);
       n = directionFromRest(wall.pose, gradient);
     }
-    addWallContact(s, i, k, {point - 0.5 * gap * n, n, gap + riseOf(s, i, outer->anchor, n), 0},
+    addWallContact(s, i, k, {point - 0.5 * gap * n, n, gap + riseOf(s, i, outer->curvatureCentre, n), 0},
                    !outer->atRim);
   }
 }

@@ -50,9 +50,9 @@ struct Pieces : Table {
       "1: fixed in place, and without contacts with other sleeping pieces and obstacles at rest"};
   Column<std::uint64_t> count{*this, "count", "1", Keep::State, "number of its particles on all ranks"};
   Column<std::uint8_t> fixed{*this, "fixed", "1", Keep::State, "1: some of its particles are clamped"};
-  Column<std::uint32_t> here{*this, "here", "1", Keep::Local, "number of its particles on this rank"};
+  Column<std::uint32_t> localParticles{*this, "localParticles", "1", Keep::Local, "number of its particles on this rank"};
   Column<std::uint8_t> shared{*this, "shared", "1", Keep::Local, "1: further ranks have this row"};
-  Column<std::uint8_t> leads{*this, "leads", "1", Keep::Local,
+  Column<std::uint8_t> recordsEnergy{*this, "recordsEnergy", "1", Keep::Local,
       "1: its particle of the smallest id is on this rank, which records its energies"};
   // clang-format on
 

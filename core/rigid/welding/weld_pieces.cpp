@@ -97,7 +97,9 @@ bool onAnyRank(bool here, Reducer& all) {
 }
 
 /// Number of pieces that this rank leads.
-std::int64_t piecesLed(const Pieces& p) { return std::count(p.leads.data(), p.leads.data() + p.owned, 1); }
+std::int64_t ownPieces(const Pieces& p) {
+  return std::count(p.recordsEnergy.data(), p.recordsEnergy.data() + p.owned, 1);
+}
 
 }  // namespace
 
@@ -107,12 +109,12 @@ void weldPieces(const RigidView& v, const Halos& halos) {
   refresh(halos.cells, p, ColumnList{&p.temperature, &p.touchTime}).wait();
   if (!onAnyRank(measureTouch(v), halos.all)) return;
   refresh(halos.cells, p, ColumnList{&p.touchTime}).wait();
-  std::int64_t welded = piecesLed(v.pieces);
+  std::int64_t welded = ownPieces(v.pieces);
   labelPieces(v, halos, false, {.welded = [&](std::uint32_t i, std::uint32_t j) { return weld(v, i, j); }});
   if (v.modules.pieceSleep) wakeNearChanges(v, halos.all);
   remakePieces(v, halos, false);
   linkPieces(v, halos, PieceUsers::AndGhosts);
-  welded -= piecesLed(v.pieces);
+  welded -= ownPieces(v.pieces);
   halos.all.sum({&welded, 1});
   if (halos.all.rank() == 0) v.counters.weldedPieces += welded;
 }

@@ -17,10 +17,10 @@ namespace thaw {
 /// a vertex of six triangles. The stiffness grows with the square. The power 4 (1.19, 1.57) would need
 /// shorter steps.
 struct FaceDepth {
-  double sum = 0;     ///< sum of d_i^8
-  double pushes = 0;  ///< sum of d_i^7
-  double bends = 0;   ///< sum of d_i^6
-  Vec3d slopes{};     ///< sum of d_i^7 n_i
+  double sum = 0;        ///< sum of d_i^8
+  double sumDepth7 = 0;  ///< sum of d_i^7
+  double sumDepth6 = 0;  ///< sum of d_i^6
+  Vec3d slopes{};        ///< sum of d_i^7 n_i
 
   /// d^7, a triangle's part of the gradient up to a common factor.
   static double push(double d) {
@@ -30,8 +30,8 @@ struct FaceDepth {
   void add(double d, const Vec3d& n) {
     const double d7 = push(d);
     sum += d7 * d;
-    pushes += d7;
-    bends += d7 / d;
+    sumDepth7 += d7;
+    sumDepth6 += d7 / d;
     slopes += d7 * n;
   }
   double depth() const { return std::sqrt(std::sqrt(std::sqrt(sum))); }
@@ -41,7 +41,7 @@ struct FaceDepth {
   /// bound of the force's slope. 0 if all triangles face the same way.
   double bend() const {
     const double d = depth();
-    return 7 / d * std::max(0.0, bends * d * d / sum - dot(slope(), slope()));
+    return 7 / d * std::max(0.0, sumDepth6 * d * d / sum - dot(slope(), slope()));
   }
 };
 

@@ -16,18 +16,18 @@ Real meanExponential(Real x) { return x == 0 ? 1 : std::expm1(x) / x; }
 /// Power series in t of the three responses, for a = c t / 2m and w2 = K t^2 / m both below 1. h_n are the
 /// complete symmetric polynomials of the two roots, so the double root is no special case.
 ExactStep byseries(const SpringLaw& law, Real t, Real a, Real w2) {
-  Real before = 0, h = 1, factorial = 1, hold = 0, yield = 0;
+  Real before = 0, h = 1, factorial = 1, qv = 0, qr = 0;
   for (int n = 0; n < 30; n++) {
     factorial *= n + 1;  // (n + 1)!
-    hold += h / factorial;
-    yield += h / (factorial * (n + 2));
+    qv += h / factorial;
+    qr += h / (factorial * (n + 2));
     const Real next = -2 * a * h - w2 * before;
     before = h;
     h = next;
   }
   const Real m = law.mass;
-  return {static_cast<double>(t * hold), static_cast<double>(1 - 2 * a * hold - w2 * yield),
-          static_cast<double>(yield * t * t / m), static_cast<double>(t * hold / m)};
+  return {static_cast<double>(t * qv), static_cast<double>(1 - 2 * a * qv - w2 * qr),
+          static_cast<double>(qr * t * t / m), static_cast<double>(t * qv / m)};
 }
 
 /// Two real roots, also the double one; m may be 0. e^slow and e^fast are the decays of the two solutions
@@ -39,25 +39,24 @@ ExactStep overdamped(const SpringLaw& law, Real t) {
   const Real slow = -2 * k * t / (c * (1 + gap));
   const Real apart = m > 0 ? c * t / m * gap : std::numeric_limits<Real>::infinity();
   const Real ratio = std::exp(-apart), decay = std::exp(slow);
-  const Real push = apart < 1 ? decay * t / m * meanExponential(-apart) : decay * (1 - ratio) / (c * gap);
-  const Real hold = push * m;
-  const Real keep = decay * ratio + slow * hold / t;
-  const Real yield = (meanExponential(slow) - hold / t) * 2 * t / (c * (1 + gap));
-  return {static_cast<double>(hold), static_cast<double>(keep), static_cast<double>(yield),
-          static_cast<double>(push)};
+  const Real vr = apart < 1 ? decay * t / m * meanExponential(-apart) : decay * (1 - ratio) / (c * gap);
+  const Real qv = vr * m;
+  const Real vv = decay * ratio + slow * qv / t;
+  const Real qr = (meanExponential(slow) - qv / t) * 2 * t / (c * (1 + gap));
+  return {static_cast<double>(qv), static_cast<double>(vv), static_cast<double>(qr), static_cast<double>(vr)};
 }
 
 ExactStep underdamped(const SpringLaw& law, Real t, Real a, Real w2) {
   const Real m = law.mass, s2 = w2 - a * a, s = std::sqrt(s2), decay = std::exp(-a);
   const Real sinc = s > 0 ? std::sin(s) / s : 1;
-  const Real hold = decay * sinc, keep = decay * (std::cos(s) - a * sinc);
-  Real yield = (1 - keep - 2 * a * hold) / w2;
+  const Real qv = decay * sinc, vv = decay * (std::cos(s) - a * sinc);
+  Real qr = (1 - vv - 2 * a * qv) / w2;
   if (a == 0) {  // 1 - cos without cancellation
     const Real half = std::sin(s / 2);
-    yield = 2 * half * half / w2;
+    qr = 2 * half * half / w2;
   }
-  return {static_cast<double>(t * hold), static_cast<double>(keep), static_cast<double>(yield * t * t / m),
-          static_cast<double>(t * hold / m)};
+  return {static_cast<double>(t * qv), static_cast<double>(vv), static_cast<double>(qr * t * t / m),
+          static_cast<double>(t * qv / m)};
 }
 
 }  // namespace
@@ -81,17 +80,17 @@ ExactStep exactStep(const SpringLaw& law, double dt) {
   return overdamped(law, t);
 }
 
-SplitPush splitPush(const SpringLaw& law, const ExactStep& x, double dt) {
-  if (!(law.mass > 0) || !(dt > 0)) return {x.push, 0};
+SplitForce splitForce(const SpringLaw& law, const ExactStep& x, double dt) {
+  if (!(law.mass > 0) || !(dt > 0)) return {x.vr, 0};
   // (pi/2)^2
   const double a = law.damping * dt / (2 * law.mass), w2 = law.stiffness * dt * dt / law.mass,
                quarter = 2.4674011002723395;
-  if (w2 - a * a < quarter && x.hold > 0) {
-    const double before = x.keep * (x.yield / x.hold);
-    return {before, x.push - before};
+  if (w2 - a * a < quarter && x.qv > 0) {
+    const double before = x.vv * (x.qr / x.qv);
+    return {before, x.vr - before};
   }
   // Weights of a force that grows linearly; beyond a quarter of an oscillation stableSlope is 0.
-  return {x.push - x.yield / dt, x.yield / dt};
+  return {x.vr - x.qr / dt, x.qr / dt};
 }
 
 double stableSlope(const SpringLaw& law, double dt) {
@@ -101,10 +100,10 @@ double stableSlope(const SpringLaw& law, double dt) {
   if (law.mass > 0 &&
       law.stiffness * dt * dt / law.mass - std::pow(law.damping * dt / (2 * law.mass), 2) >= quarter)
     return 0;
-  const SplitPush split = splitPush(law, x, dt);
-  const double free = 1 - x.yield * law.stiffness, det = free * x.keep + x.hold * x.push * law.stiffness;
-  const double reach = x.yield + split.after * x.hold;
-  return reach > 0 ? (1 + det + free + x.keep) / reach : infinite;
+  const SplitForce split = splitForce(law, x, dt);
+  const double free = 1 - x.qr * law.stiffness, det = free * x.vv + x.qv * x.vr * law.stiffness;
+  const double reach = x.qr + split.after * x.qv;
+  return reach > 0 ? (1 + det + free + x.vv) / reach : infinite;
 }
 
 double stableStep(const SpringLaw& law, double kappa) {

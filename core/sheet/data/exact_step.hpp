@@ -12,29 +12,29 @@ struct SpringLaw {
   double stiffness = 0;  ///< N/m^3
 };
 
-/// Map q <- q + hold v + yield r, v <- keep v + push r. Here r = f - K (q - q0) is the force per area at the
+/// Linear map q <- q + qv v + qr r, v <- vv v + vr r. Here r = f - K (q - q0) is the force per area at the
 /// start of the step (N/m^2). With r in place of the rest position K = 0 needs no special case. Cancellation
 /// occurs only where the motion itself reverses.
 struct ExactStep {
-  double hold = 0;   ///< s, impulse response of the free vertex
-  double keep = 1;   ///< 1, derivative of hold
-  double yield = 0;  ///< m^3/N, response to a constant force per area
-  double push = 0;   ///< m^3/(N s), derivative of yield = hold / m
+  double qv = 0;  ///< s, impulse response of the free vertex
+  double vv = 1;  ///< 1, derivative of qv
+  double qr = 0;  ///< m^3/N, response to a constant force per area
+  double vr = 0;  ///< m^3/(N s), derivative of qr = qv / m
 };
 
 /// Returns the map for a step of dt >= 0 s. Each coefficient is accurate to 1e-13 of its scale, and relative
-/// to itself unless it crosses 0 in an oscillation. Phases hold up to about 1e5 oscillations a step, in long
-/// double. Throws std::invalid_argument for negative coefficients or all 0.
+/// to itself unless it crosses 0 in an oscillation. Phases are exact up to about 1e5 oscillations a step, in
+/// long double. Throws std::invalid_argument for negative coefficients or all 0.
 ExactStep exactStep(const SpringLaw& law, double dt);
 
 /// Weights of a position-dependent force before and after the step. v gets before * f(before) + after *
-/// f(after), and the position uses f(before). before + after = push keeps constant forces exact. The map
+/// f(after), and the position uses f(before). before + after = vr keeps constant forces exact. The map
 /// keeps its determinant, so it is stable up to a limit, that of leap-frog for c = K = 0 (both weights dt /
 /// 2m).
-struct SplitPush {
+struct SplitForce {
   double before = 0, after = 0;
 };
-SplitPush splitPush(const SpringLaw& law, const ExactStep& step, double dt);
+SplitForce splitForce(const SpringLaw& law, const ExactStep& step, double dt);
 
 /// Returns the largest slope kappa (N/m^3) of forces f = -kappa z per area for which a step of dt is stable.
 /// It follows from the eigenvalues of the map.

@@ -77,7 +77,7 @@ std::vector<NamedCount> countsOf(Counters& c) {
   return {{"singular_neighbourhoods", &c.singularNeighbourhoods},
           {"broken_bonds", &c.brokenBonds},
           {"inverted", &c.inverted},
-          {"squeezed", &c.squeezed},
+          {"softenedParticles", &c.softenedParticles},
           {"coincident_pairs", &c.coincidentPairs},
           {"crowded", &c.crowded},
           {"connected", &c.connected},

@@ -44,21 +44,22 @@ void recordChanges(StepContext& c) {
 }  // namespace
 
 StepModule energyOfPhaseChange() {
-  return {
-      "energy of phase changes",
-      [](const World& w, const TermWork&) { return w.modules.melting; },
-      {{ModulePhase::AllForces,
-        [](StepContext& c) { rememberSprings(c.walls, c.t.walls.contacts, c.t.phaseChange.energy.springs); }},
-       {ModulePhase::Limits,
-        [](StepContext& c) {
-          if (changesStiffness(c.t.phaseChange.energy.touching, c.w.particles) ||
-              changesStiffness(c.t.contact.bodies, c.w.particles) ||
-              pairEnergyChanges(c.w, c.t.terms, c.t.phaseChange.energy))
-            c.reduction.pairsChange = 1;
-        }},
-       {ModulePhase::EndOfStep, [](StepContext& c) {
-          if (c.finite && c.dt > 0) recordChanges(c);
-        }}}};
+  return {"energy of phase changes",
+          [](const World& w, const TermWork&) { return w.modules.melting; },
+          {{ModulePhase::AllForces,
+            [](StepContext& c) {
+              listSpringStates(c.walls, c.t.walls.contacts, c.t.phaseChange.energy.springs);
+            }},
+           {ModulePhase::Limits,
+            [](StepContext& c) {
+              if (changesStiffness(c.t.phaseChange.energy.touching, c.w.particles) ||
+                  changesStiffness(c.t.contact.bodies, c.w.particles) ||
+                  pairEnergyChanges(c.w, c.t.terms, c.t.phaseChange.energy))
+                c.reduction.pairsChange = 1;
+            }},
+           {ModulePhase::EndOfStep, [](StepContext& c) {
+              if (c.finite && c.dt > 0) recordChanges(c);
+            }}}};
 }
 
 }  // namespace thaw

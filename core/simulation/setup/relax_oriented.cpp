@@ -60,7 +60,7 @@ RelaxationPlan planRelaxation(const Scene& scene, const OrientedWork& work) {
   RelaxationPlan plan;
   for (const OrientedBody& b : scene.oriented) {
     plan.iterations = std::max(plan.iterations, iterationsOf(b, work));
-    plan.grows = plan.grows || b.growth != OrientedGrowth::None || b.crowd > 0;
+    plan.grows = plan.grows || b.growth != OrientedGrowth::None || b.removalDistance > 0;
   }
   for (const PointInterpolant& g : work.given) plan.interpolates = plan.interpolates || !g.points.empty();
   return plan;
@@ -102,14 +102,14 @@ void findForces(const OrientedView& view, bool interpolates, RelaxationForces& f
 }
 
 /// Largest values on all ranks.
-struct Unrest {
+struct Residual {
   double force;      ///< 1, over stiffness times spacing
   double stiffness;  ///< 1/s^2
   bool stop;         ///< a rank requests a stop
 };
 
 /// Collective. done: number of iterations.
-Unrest findUnrest(const OrientedView& view, const RelaxationForces& f, std::int64_t done, Reducer& all) {
+Residual findResidual(const OrientedView& view, const RelaxationForces& f, std::int64_t done, Reducer& all) {
   const Oriented& o = view.oriented.rows;
   double largest[3] = {0, 0, 0};
   for (std::size_t i = 0; i < o.owned; i++) {
@@ -198,17 +198,18 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
     }
     work.time = w.clock.time;
     findForces(view, plan.interpolates, forces);
-    const Unrest unrest = findUnrest(view, forces, done, halos.all);
-    work.unrest = unrest.force;
-    work.atRest = (unrest.force < restForce && (!plan.grows || unchanged >= 3)) || !(unrest.stiffness > 0);
-    work.relaxStopped = !work.atRest && unrest.stop;
+    const Residual residual = findResidual(view, forces, done, halos.all);
+    work.residualForce = residual.force;
+    work.atRest = (residual.force < restForce && (!plan.grows || unchanged >= 3)) ||
+                  !(residual.stiffness > 0);
+    work.relaxStopped = !work.atRest && residual.stop;
     // births and deaths may disturb the surface forever; with a constant population the force converges,
     // however slowly
     work.relaxStalled = plan.grows && !work.atRest && !work.relaxStopped &&
-                        !makesProgress(work.relaxProgress, done, unrest.force, work.relaxing);
+                        !makesProgress(work.relaxProgress, done, residual.force, work.relaxing);
     if (work.atRest || work.relaxStopped || work.relaxStalled) break;
     steer(o, forces, fire, halos.all);
-    moveRows(view, forces, fire.step(unrest.stiffness));
+    moveRows(view, forces, fire.step(residual.stiffness));
   }
   w.clock.step = stepBefore;
   for (std::size_t i = 0; i < o.owned; i++) {

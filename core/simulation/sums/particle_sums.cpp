@@ -127,7 +127,7 @@ void searchNeighbours(World& w, StepTools& t, Part part, double elapsed) {
   x.elapsed = elapsed;
   if (part == Part::Inner) {
     resizeRecords(x, p.owned + t.sums.ghostRoom, t.sums.records);
-    for (const RowSpan& rows : rowsToSee(w.modules, p, t.sleep))
+    for (const RowSpan& rows : visibleRows(w.modules, p, t.sleep))
       packRecords(x, p, rows.begin, rows.end, t.sums.records);
     searchInner(w, t.sums, t.times);
   } else {

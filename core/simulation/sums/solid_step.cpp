@@ -44,7 +44,7 @@ void deformAll(World& w, Halos& halos, StepTools& t, const ElasticStep& step, Ex
   t.times.lap(StepPhase::Bonds);
   r += computeDeformationAndStress(t.solid.elastic, w.solids, w.bonds, step, SolidPart::Boundary);
   w.counters.inverted += r.inverted;
-  w.counters.squeezed += r.squeezed;
+  w.counters.softenedParticles += r.softenedParticles;
   t.solid.maxStretch2 = r.maxStretch2;
   // Includes sleeping groups; empty without sleep.
   for (const double stretch2 : t.solid.elastic.groupStretch2)

@@ -14,7 +14,7 @@ struct PhaseEnergyWork {
                                 ///< tension; only where volumes change with the phase or by evaporation
   std::vector<double> inPairs;  ///< J, pairwise tension and pair forces of extensions, by owned row
   std::vector<float> liquid;    ///< liquid fractions of owned rows, where these exist
-  std::vector<SpringBefore> springs;
+  std::vector<SpringState> springs;
   std::vector<TouchingPair> touching;
   std::vector<double> energy, dissipation;  ///< J, W; temporary
   std::vector<Vec3d> force;                 ///< N, temporary

@@ -32,7 +32,7 @@ void BondGraph::mark(std::size_t group) {
   marked_.push_back(static_cast<std::uint32_t>(group));
 }
 
-void BondGraph::forget(std::uint32_t row) {
+void BondGraph::removeRow(std::uint32_t row) {
   rowOf_.erase(ids_[row]);
   now_[row] = noRow;
 }
@@ -67,7 +67,7 @@ void BondGraph::leave(const Bonds& b, std::uint32_t solidIndex) {
     const std::uint32_t n = b.neighbour[b.at(solidIndex, k)];
     if (--references_[n] == 0 && n >= owned_) unnamed_.push_back(n);
   }
-  forget(solidIndex);
+  removeRow(solidIndex);
   leaving_.push_back(solidIndex);
 }
 
@@ -166,7 +166,7 @@ void BondGraph::place(const SolidTables& t, std::span<const NewSolid> fresh, std
   }
 }
 
-template<class Asked> std::size_t BondGraph::mostWith(std::span<const Asked> asked) const {
+template<class Asked> std::size_t BondGraph::largestRowCount(std::span<const Asked> asked) const {
   std::size_t most = 0, first = 0;
   for (std::size_t k = 1; k <= asked.size(); k++) {
     const std::uint32_t solidIndex = asked[first].solidIndex;
@@ -176,8 +176,12 @@ template<class Asked> std::size_t BondGraph::mostWith(std::span<const Asked> ask
   }
   return most;
 }
-std::size_t BondGraph::mostBonds(std::span<const BondRequest> requests) const { return mostWith(requests); }
-std::size_t BondGraph::mostBonds(std::span<const BondPair> pairs) const { return mostWith(pairs); }
+std::size_t BondGraph::largestBondCount(std::span<const BondRequest> requests) const {
+  return largestRowCount(requests);
+}
+std::size_t BondGraph::largestBondCount(std::span<const BondPair> pairs) const {
+  return largestRowCount(pairs);
+}
 
 void BondGraph::reserve(Bonds& b, int capacity) const {
   if (capacity <= b.capacity) return;
@@ -243,7 +247,7 @@ void BondGraph::placeRemotes() {
   for (const std::uint32_t r : unnamed_) {
     if (references_[r] > 0 || !alive(r)) continue;  // referenced again, removed, or now owned
     released_.push_back({ids_[r], owner_[r]});
-    forget(r);
+    removeRow(r);
   }
   newRows_ = newOwned_ + newRemotes_.size();
   for (std::size_t r = owned_; r < before_; r++) newRows_ += alive(r);
@@ -257,7 +261,7 @@ void BondGraph::placeRemotes() {
   };
   for (const std::uint32_t r : relocated_) now_[r] = nextFree();
   for (const std::uint32_t r : newRemotes_) now_[r] = nextFree();
-  for (const Alias& a : aliases_) now_[a.row] = now_[a.stands];
+  for (const Alias& a : aliases_) now_[a.row] = now_[a.replacement];
 }
 
 void findWithoutIndex(const BondedRows& p, Solids& s, std::vector<std::uint32_t>& withoutIndex) {

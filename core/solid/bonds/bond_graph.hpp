@@ -69,14 +69,14 @@ class BondGraph {
   /// Removes a particle that is no longer solid, on this rank or (removeRemote) on its owner, with all bonds
   /// to it.
   void remove(const Bonds& bonds, std::uint32_t solidIndex);
-  void removeRemote(std::uint32_t row) { forget(row); }
+  void removeRemote(std::uint32_t row) { removeRow(row); }
   bool leaves(std::uint32_t solidIndex) const { return now_[solidIndex] == noRow; }
   /// Fills the holes and creates the new solids in the given order; BondedRows::solidIndex is updated.
   /// Reserves remotesToCome remote rows if that exceeds the present number.
   void place(const SolidTables& t, std::span<const NewSolid> fresh, std::size_t remotesToCome = 0);
   /// Returns the largest number of bonds per solid, requests included. Requests of a solid are contiguous.
-  std::size_t mostBonds(std::span<const BondRequest> requests) const;
-  std::size_t mostBonds(std::span<const BondPair> pairs) const;
+  std::size_t largestBondCount(std::span<const BondRequest> requests) const;
+  std::size_t largestBondCount(std::span<const BondPair> pairs) const;
   /// Reserves this many bonds per solid.
   void reserve(Bonds& bonds, int capacity) const;
   /// Appends a bond to a solid. The other end is owned here, has a remote row, or gets one if owner is
@@ -115,11 +115,11 @@ class BondGraph {
 
  private:
   struct Alias {
-    std::uint32_t row, stands;
-  };  // bonds that refer to `row` mean `stands`
-  template<class Asked> std::size_t mostWith(std::span<const Asked> asked) const;
+    std::uint32_t row, replacement;
+  };  // bonds that refer to `row` mean `replacement`
+  template<class Asked> std::size_t largestRowCount(std::span<const Asked> asked) const;
   std::size_t bondOwned(const SolidTables& t, std::span<const BondPair> pairs, std::size_t first);
-  void forget(std::uint32_t row);
+  void removeRow(std::uint32_t row);
   void leave(const Bonds& bonds, std::uint32_t solidIndex);
   void mark(std::size_t group);
   void markOthers(const Bonds& bonds, std::uint32_t solidIndex);
@@ -128,8 +128,8 @@ class BondGraph {
   std::uint32_t addRow(std::uint64_t id, int owner);
   void placeRemotes();
   void moveColumns(const SolidTables& t);
-  void walk(const SolidTables& t);
-  std::int64_t walkGroup(const SolidTables& t, std::size_t g);
+  void rebuildGroups(const SolidTables& t);
+  std::int64_t rebuildGroup(const SolidTables& t, std::size_t g);
   void renumber();
 
   int rank_ = 0;

@@ -35,7 +35,7 @@ void BondGraph::moveColumns(const SolidTables& t) {
   s.resize(newOwned_, newRows_ - newOwned_);
 }
 
-std::int64_t BondGraph::walkGroup(const SolidTables& t, std::size_t g) {
+std::int64_t BondGraph::rebuildGroup(const SolidTables& t, std::size_t g) {
   Bonds& b = t.bonds;
   const std::uint16_t* used = used_.data() + g * lanes;
   const int most = *std::max_element(used, used + lanes);
@@ -77,7 +77,7 @@ std::int64_t BondGraph::walkGroup(const SolidTables& t, std::size_t g) {
   return met;
 }
 
-void BondGraph::walk(const SolidTables& t) {
+void BondGraph::rebuildGroups(const SolidTables& t) {
   const std::size_t groups = groupsOf(newOwned_);
   touched_.assign(std::max(now_.size(), (std::max(groups, groupsOf(owned_)) + 1) * lanes), 0);
   std::int64_t expected = 0, met = 0;
@@ -93,11 +93,11 @@ void BondGraph::walk(const SolidTables& t) {
     for (std::size_t g = 0; g < groups; g++)
       if (boundary_[g]) mark(g);
   for (std::size_t i = 0; i < marked_.size(); i++)
-    if (marked_[i] < groups) met += walkGroup(t, marked_[i]);
+    if (marked_[i] < groups) met += rebuildGroup(t, marked_[i]);
   if (met != expected) {  // some bond has no counterpart at its other end, so it may be in any group
     isMarked_.resize(std::max(isMarked_.size(), groups), 0);
     for (std::size_t g = 0; g < groups; g++)
-      if (!isMarked_[g]) met += walkGroup(t, g);
+      if (!isMarked_[g]) met += rebuildGroup(t, g);
   }
   if (met != expected) throw std::logic_error("the bonds of solids disagree with their reference counts");
 }
@@ -129,7 +129,7 @@ void BondGraph::renumber() {
 void BondGraph::finish(const SolidTables& t) {
   placeRemotes();
   moveColumns(t);
-  walk(t);
+  rebuildGroups(t);
   renumber();
   for (std::uint32_t& r : newRemotes_) r = now_[r];
   owned_ = newOwned_;

@@ -120,7 +120,7 @@ __attribute__((flatten)) void deformationOf(ElasticArrays& a) {
     const unsigned softened = respond<Laws, Real>(c, {c.lambda, c.mu, elasticGradient, fe, a.energy}, piola,
                                                   energy);
     for (int l = 0; softened != 0 && l < n; l++)
-      a.squeezed += (softened >> l & 1) && c.active[l] > 0 && !(c.volumeStiffness[l] > 0);
+      a.softenedParticles += (softened >> l & 1) && c.active[l] > 0 && !(c.volumeStiffness[l] > 0);
     if (c.anyVolumeStiffness) {
       const T stiffness = fromDoubles<Real>(c.volumeStiffness);
       piola = piola + volumeStress(fe, stiffness);

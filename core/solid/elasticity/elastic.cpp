@@ -239,7 +239,7 @@ ElasticResult computeDeformationAndStress(ElasticWork& work, Solids& solids, con
   else packPositions(work, solids, solids.owned, solids.size());
   ElasticArrays a = arraysOf(work, solids, bonds, step, part);
   deform(work, solids, a);
-  return {a.inverted, a.squeezed, a.maxStretch2};
+  return {a.inverted, a.softenedParticles, a.maxStretch2};
 }
 
 void repeatDeformation(ElasticWork& work, Solids& solids, const Bonds& bonds, const ElasticStep& step,

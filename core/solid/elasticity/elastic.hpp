@@ -98,13 +98,13 @@ struct ElasticStep {
 };
 
 struct ElasticResult {
-  std::int64_t inverted = 0;  ///< particles with det F <= 0
-  std::int64_t squeezed = 0;  ///< particles without volume stiffness whose law weakens in compression
-                              ///< (core/solid/laws/law_point.hpp)
-  double maxStretch2 = 1;     ///< upper bound of the squared principal elastic stretches (|Fe|^2 - 2)
+  std::int64_t inverted = 0;           ///< particles with det F <= 0
+  std::int64_t softenedParticles = 0;  ///< particles without volume stiffness whose law weakens in
+                                       ///< compression (core/solid/laws/law_point.hpp)
+  double maxStretch2 = 1;  ///< upper bound of the squared principal elastic stretches (|Fe|^2 - 2)
   ElasticResult& operator+=(const ElasticResult& o) {
     inverted += o.inverted;
-    squeezed += o.squeezed;
+    softenedParticles += o.softenedParticles;
     if (o.maxStretch2 > maxStretch2) maxStretch2 = o.maxStretch2;
     return *this;
   }

@@ -58,7 +58,7 @@ struct ElasticArrays {
   double* groupStretch2 = nullptr;             ///< by group, as maxStretch2; null: not needed
   const std::uint8_t* passive = nullptr;  ///< 1: energy and deformation stay, and flux is 0; null: nowhere
   // Results.
-  std::int64_t inverted = 0, squeezed = 0;
+  std::int64_t inverted = 0, softenedParticles = 0;
   double maxStretch2 = 1;
 };
 

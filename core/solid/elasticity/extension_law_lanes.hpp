@@ -22,7 +22,7 @@ namespace {
 template<class Law, class Real> THAW_INLINE void respondLanesIn(const LawGroup& g) {
   const Mat3<Lanes<Real>> gradient = loadMatrix<Real>(g.gradient);
   Mat3<Lanes<Real>> stress;
-  respondInline<Law, Real>({g.lambda, g.mu, gradient, plusOne(gradient), g.energy != nullptr}, g.values,
+  respondInline<Law, Real>({g.lambda, g.mu, gradient, addIdentity(gradient), g.energy != nullptr}, g.values,
                            stress, g.energy);
   storeMatrix<Real>(stress, g.stress);
 }

@@ -21,7 +21,7 @@ THAW_INLINE LanesD logarithm(LanesD a) {
   return loadRow(values);
 }
 
-template<class T> THAW_INLINE Mat3<T> plusOne(Mat3<T> f) {
+template<class T> THAW_INLINE Mat3<T> addIdentity(Mat3<T> f) {
   f.row[0].x += T(1.0);
   f.row[1].y += T(1.0);
   f.row[2].z += T(1.0);
@@ -42,13 +42,13 @@ template<class Real> THAW_INLINE Mat3<Lanes<Real>> narrowed(const Mat3<LanesF>& 
 template<class Real> struct GroupDeformation {
   const double *lambda, *mu;             ///< Pa, by lane
   const Mat3<Lanes<Real>>&gradient, &f;  ///< F - 1, F
-  bool wantEnergy;
+  bool computeEnergy;
   template<class T> THAW_INLINE LawPoint<T> pointOf(const LawValues& values) const {
     if constexpr (std::is_same_v<T, Lanes<Real>>) {
       return {f, fromDoubles<Real>(lambda), fromDoubles<Real>(mu), values, gradient};
     } else {
       const Mat3<T> wide = widened(gradient);
-      return {plusOne(wide), loadRow(lambda), loadRow(mu), values, wide};
+      return {addIdentity(wide), loadRow(lambda), loadRow(mu), values, wide};
     }
   }
 };
@@ -63,7 +63,7 @@ THAW_INLINE unsigned respondInline(const GroupDeformation<Real>& g, const LawVal
   const LawPoint<Stress> at = g.template pointOf<Stress>(values);
   const auto shared = sharedOf<Law>(at);
   stress = narrowed<Real>(stressOf<Law>(at, shared));
-  if (g.wantEnergy) {
+  if (g.computeEnergy) {
     if constexpr (std::is_same_v<Stress, Energy>) {
       toDoubles(widen(energyOf<Law>(at, shared)), energy);
     } else {
@@ -86,7 +86,7 @@ THAW_INLINE unsigned respondBy(const BoundLaw& law, const GroupDeformation<Real>
   if (Laws::at(*law.law, inlined)) return softened;
   alignas(64) double gradient[9][8], piola[9][8];
   storeMatrix<Real>(g.gradient, gradient);
-  respondGroup(*law.law, {gradient, g.lambda, g.mu, law.values, piola, g.wantEnergy ? energy : nullptr,
+  respondGroup(*law.law, {gradient, g.lambda, g.mu, law.values, piola, g.computeEnergy ? energy : nullptr,
                           sizeof(Real) == 4});
   stress = loadMatrix<Real>(piola);
   return 0;
@@ -109,7 +109,7 @@ __attribute__((noinline, flatten)) unsigned respondMixed(const LaneConstants& c,
       stress.row[r] = {select(mask, one.row[r].x, stress.row[r].x),
                        select(mask, one.row[r].y, stress.row[r].y),
                        select(mask, one.row[r].z, stress.row[r].z)};
-    if (!g.wantEnergy) continue;
+    if (!g.computeEnergy) continue;
     for (int l = 0; l < 8; l++)
       if (c.lanesOf[k] >> l & 1) energy[l] = psi[l];
   }
@@ -124,7 +124,7 @@ THAW_INLINE unsigned respond(const LaneConstants& c, const GroupDeformation<Real
   // Copies: data that a called function can access cannot be in registers.
   const Mat3<Lanes<Real>> gradient = g.gradient, f = g.f;
   Mat3<Lanes<Real>> mixed{};
-  const unsigned softened = respondMixed<Laws, Real>(c, {c.lambda, c.mu, gradient, f, g.wantEnergy}, mixed,
+  const unsigned softened = respondMixed<Laws, Real>(c, {c.lambda, c.mu, gradient, f, g.computeEnergy}, mixed,
                                                      energy);
   stress = mixed;
   return softened;

@@ -42,7 +42,7 @@ inline double logarithm(double a) { return std::log(a); }
 ///   static double stiffening(double largestStretch2, const LawValues&);
 ///   template<class T> static unsigned softened(const LawPoint<T>&, const Shared&);  // bits of lanes
 /// `principal` and `stiffening` are those of ElasticLaw. `softened` finds lanes that the counter
-/// Counters::squeezed reports.
+/// Counters::softenedParticles reports.
 struct LawDefaults {
   static constexpr std::array<LawKey, 0> keys{};
   /// Stress or energy needs double precision where bonds are in single precision.
@@ -64,11 +64,11 @@ template<class Law> constexpr bool energyInDouble() {
   else return true;
 }
 
-struct NothingShared {};
+struct NoSharedTerms {};
 /// Returns what stress and energy of a law share.
 template<class Law, class T> [[gnu::always_inline]] inline auto sharedOf(const LawPoint<T>& at) {
   if constexpr (requires { Law::shared(at); }) return Law::shared(at);
-  else return NothingShared{};
+  else return NoSharedTerms{};
 }
 template<class Law, class T, class Shared>
 [[gnu::always_inline]] inline Mat3<T> stressOf(const LawPoint<T>& at, const Shared& shared) {

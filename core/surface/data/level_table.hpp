@@ -40,16 +40,16 @@ class LevelTable {
 /// up to twice the particles' volume. The density measure is the sum of (1 - (r/nearSupport)^2)^3 over
 /// particles, with lengths in spacings. It is 2.6 half a spacing above a lattice plane, 1.4 for a row of
 /// particles one spacing apart, and 0.7 for a single particle; these levels remain. The strength depends on
-/// the component (Tightening): volume enforcement draws in a sparse liquid, as in a splash without surface
+/// the component (levelRiseOf): volume enforcement draws in a sparse liquid, as in a splash without surface
 /// tension, and least where it is dense. A uniform offset would move the sides of thin rims through each
 /// other.
 inline constexpr double nearSupport = 2;
 struct LevelRise {
-  /// `full`: sum below which the level rises; `most`: relative rise without particles nearby
-  double full = 0.5, most = 0.6;
+  /// densityMeasure: sum below which the level rises; largestRise: relative rise without particles nearby
+  double densityMeasure = 0.5, largestRise = 0.6;
 };
 inline double raisedLevel(double level, double near, const LevelRise& t) {
-  return level * (1 + t.most * std::max(0.0, 1 - near / t.full));
+  return level * (1 + t.largestRise * std::max(0.0, 1 - near / t.densityMeasure));
 }
 
 /// Converts the request of volume enforcement (SurfaceComponent::isoOffset in particle spacings, negative

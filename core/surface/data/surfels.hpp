@@ -85,7 +85,7 @@ struct Surfels : Table {
   // fields of resampling
   Column<double> depth{*this, "depth", "m", Keep::State,
       "only in an ActiveSet: lower bound of the distance to surfels that were open when it was made"};
-  Column<double> wanted{*this, "wanted", "m", Keep::Transient, "target radius from curvature"};
+  Column<double> targetRadius{*this, "targetRadius", "m", Keep::Transient, "target radius from curvature"};
   Column<std::uint8_t> resampleFlags{*this, "resampleFlags", "1", Keep::Transient,
       "resampling flags: 1 birth candidate, 2 crowded, 4 precedes all that are too close, 8 dies or gives "
       "birth"};

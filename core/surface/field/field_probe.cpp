@@ -40,15 +40,15 @@ void FieldProbe::around(const PlaceBox& box, std::uint64_t component, const Vec3
     n += (box.distance2(at) <= h2) & (dot(at - ownPosition, at - ownPosition) <= edge2) &
          (of[block_.row[k]] == component);
   }
-  among(listed_.data(), n, component);
+  selectRows(listed_.data(), n, component);
 }
 
-void FieldProbe::among(const std::uint32_t* rows, std::size_t count, std::uint64_t component) {
+void FieldProbe::selectRows(const std::uint32_t* rows, std::size_t count, std::uint64_t component) {
   rows_ = rows, count_ = count;
   tight_ = levelRiseOf(isoOffsetOf(tools_.relax.isoOffset, component) / scene_.spacing);
 }
 
-void FieldProbe::at(const Vec3d* x, std::size_t n, FieldHere* found) {
+void FieldProbe::at(const Vec3d* x, std::size_t n, FieldSample* found) {
   static constexpr std::uint32_t self[most] = {0, 1, 2, 3, 4, 5, 6, 7}, group[1] = {0};
   const CellGrid& grid = surface_.grid;
   for (std::size_t k = 0; k < n; k++)
@@ -68,12 +68,12 @@ void FieldProbe::at(const Vec3d* x, std::size_t n, FieldHere* found) {
   tools_.relax.kernels->overParticles(in);
   for (std::size_t k = 0; k < n; k++) {
     const SurfelSums s{nullptr, over_.data(), static_cast<int>(k)};
-    FieldHere& c = found[k] = {};
+    FieldSample& c = found[k] = {};
     c.value = s.particle(Colour);
     c.gradient = -slope_ * Vec3d{s.particle(Gradient), s.particle(Gradient + 1), s.particle(Gradient + 2)};
     if (!(c.value > 0)) continue;
     const double near = s.particle(Near);
-    c.tight = near < tight_.full ? 0.5 : 1;
+    c.tight = near < tight_.densityMeasure ? 0.5 : 1;
     c.level = raisedLevel(tools_.relax.level.level(s.particle(SmoothColour) / c.value), near, tight_) *
               scene_.surface.isoLevel / 0.5;
   }
@@ -81,17 +81,17 @@ void FieldProbe::at(const Vec3d* x, std::size_t n, FieldHere* found) {
 
 void forFieldAtSurfels(const Scene& scene, const Surface& s, SurfaceTools& t,
                        const std::vector<std::uint8_t>& probed,
-                       const std::function<void(std::size_t, const FieldHere&)>& found) {
+                       const std::function<void(std::size_t, const FieldSample&)>& found) {
   GroupLists& l = t.relax.lists;
   listGroups(s, probed, t.relax.particleBins, t.relax.particleBins, {0, s.particleSupport}, l);
   FieldProbe probe(scene, s, t);
   std::array<Vec3d, FieldProbe::most> x;
-  std::array<FieldHere, FieldProbe::most> field;
+  std::array<FieldSample, FieldProbe::most> field;
   for (std::size_t g = 0; g < l.groups(); g++) {
     const std::uint32_t* rows = &l.self[8 * g];
     for (std::size_t k = 0; k < l.lanes[g]; k++) x[k] = s.surfels.position[rows[k]];
-    probe.among(l.particle.data() + l.firstParticle[g], l.firstParticle[g + 1] - l.firstParticle[g],
-                s.surfels.component[rows[0]]);
+    probe.selectRows(l.particle.data() + l.firstParticle[g], l.firstParticle[g + 1] - l.firstParticle[g],
+                     s.surfels.component[rows[0]]);
     probe.at(x.data(), l.lanes[g], field.data());
     for (std::size_t k = 0; k < l.lanes[g]; k++) found(rows[k], field[k]);
   }

@@ -20,7 +20,7 @@ ForceSums particleSumsOf(const Scene& scene, const Surface& surface, const Surfa
 
 /// Colour field of one component at a position (sum of prepareParticles, 1 deep inside) and its gradient
 /// (1/m). Also its level on the surface there (LevelTable), and the damping of Newton's step.
-struct FieldHere {
+struct FieldSample {
   double value = 0, level = 0.5, tight = 1;
   Vec3d gradient{};
 };
@@ -38,9 +38,9 @@ class FieldProbe {
   /// spacing of `ownPosition` these are all.
   void around(const PlaceBox& box, std::uint64_t component, const Vec3d& ownPosition);
   /// Selects these rows, in their order.
-  void among(const std::uint32_t* rows, std::size_t count, std::uint64_t component);
+  void selectRows(const std::uint32_t* rows, std::size_t count, std::uint64_t component);
   /// Evaluates the field at n <= most positions.
-  void at(const Vec3d* x, std::size_t n, FieldHere* found);
+  void at(const Vec3d* x, std::size_t n, FieldSample* found);
 
  private:
   const Scene& scene_;
@@ -61,6 +61,6 @@ class FieldProbe {
 /// component at their position. Uses tools.relax.lists.
 void forFieldAtSurfels(const Scene& scene, const Surface& surface, SurfaceTools& tools,
                        const std::vector<std::uint8_t>& probed,
-                       const std::function<void(std::size_t, const FieldHere&)>& found);
+                       const std::function<void(std::size_t, const FieldSample&)>& found);
 
 }  // namespace thaw

@@ -6,7 +6,8 @@
 
 namespace thaw {
 
-std::optional<IsoStep> isoStep(const FieldHere& c, double particleSupport, double isoOffset, double longest) {
+std::optional<IsoStep> isoStep(const FieldSample& c, double particleSupport, double isoOffset,
+                               double longest) {
   const double slope = length(c.gradient);
   if (!(slope * particleSupport > 0.05 * c.level && c.value > 0)) return {};
   return IsoStep{c.gradient * (-1 / slope),
@@ -19,7 +20,7 @@ void projectToIsoSurface(FieldProbe& probe, std::uint64_t component, const Vec3d
   const double longest = 0.5 * probe.scene().spacing, enough = 0.01 * probe.surface().spacing;
   std::array<Vec3d, FieldProbe::most> x;
   std::array<std::size_t, FieldProbe::most> of;  // index of the starting position of x[k]
-  std::array<FieldHere, FieldProbe::most> field;
+  std::array<FieldSample, FieldProbe::most> field;
   PlaceBox box{from[0], from[0]};
   for (std::size_t k = 0; k < n; k++) x[k] = from[k], of[k] = k, found[k] = {}, box.add(from[k]);
   const Vec3d room{farthest, farthest, farthest};

@@ -14,7 +14,7 @@ struct IsoStep {
   Vec3d outward{};
   double out = 0;
 };
-std::optional<IsoStep> isoStep(const FieldHere& field, double particleSupport, double isoOffset,
+std::optional<IsoStep> isoStep(const FieldSample& field, double particleSupport, double isoOffset,
                                double longest);
 
 /// Projects n <= FieldProbe::most positions along the gradient onto a component's iso-surface and returns

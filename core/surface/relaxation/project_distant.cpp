@@ -27,7 +27,7 @@ void projectionStep(const SurfaceView& w, FieldProbe& probe, const std::uint32_t
   const double enough = nearEnough * w.surface.spacing;
   std::array<std::uint32_t, FieldProbe::most> row;
   std::array<Vec3d, FieldProbe::most> start, x;
-  std::array<FieldHere, FieldProbe::most> field;
+  std::array<FieldSample, FieldProbe::most> field;
   for (std::size_t k = 0; k < n; k++) row[k] = rows[k], start[k] = x[k] = f.position[rows[k]];
   for (int round = 0; round < 6 && n > 0; round++) {
     probe.at(x.data(), n, field.data());
@@ -77,8 +77,8 @@ void projectDistantSurfels(const SurfaceView& w, SurfaceHalos halos, SurfaceTool
     for (std::size_t g = 0; g < r.lists.groups(); g++) {
       const std::uint32_t* rows = &r.lists.self[8 * g];
       const std::size_t lanes = r.lists.lanes[g];
-      probe.among(r.lists.particle.data() + r.lists.firstParticle[g],
-                  r.lists.firstParticle[g + 1] - r.lists.firstParticle[g], f.component[rows[0]]);
+      probe.selectRows(r.lists.particle.data() + r.lists.firstParticle[g],
+                       r.lists.firstParticle[g + 1] - r.lists.firstParticle[g], f.component[rows[0]]);
       projectionStep(w, probe, rows, lanes,
                      w.scene.spacing *
                          limitedIsoOffset(isoOffsetOf(r.isoOffset, f.component[rows[0]]) / w.scene.spacing),

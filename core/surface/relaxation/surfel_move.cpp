@@ -104,8 +104,9 @@ ColourHere colourAt(const MoveContext& c, const SurfelSums& s, const LevelRise& 
 Vec3d slopeToLevel(const MoveContext& c, const SurfelSums& s, const ColourHere& f, const LevelRise& rise) {
   const Vec3d down = f.gradient / f.size;
   const double byFullness = c.isoScale * f.level / f.flatLevel * c.level->slope(f.fullness) / f.colour;
-  const double byNear = s.particle(Near) < rise.full
-                            ? c.isoScale * f.flatLevel * rise.most / rise.full * c.nearSlope / c.slope
+  const double byNear = s.particle(Near) < rise.densityMeasure
+                            ? c.isoScale * f.flatLevel * rise.largestRise / rise.densityMeasure *
+                                  c.nearSlope / c.slope
                             : 0;
   const Vec3d slopes = f.gradient - byFullness * (three(s, SmoothGradient, true) - f.fullness * f.gradient) +
                        byNear * three(s, NearGradient, true);

@@ -24,38 +24,38 @@ template<class F> void forNeighbours(const Surfels& s, const RowLists& lists, st
 void adaptDensity(Surface& surface, CellHalo& halo, const RowLists& lists, double reach, double finest) {
   Surfels& s = surface.surfels;
   const double d = surface.spacing;
-  ColumnList sent{&s.wanted};
+  ColumnList sent{&s.targetRadius};
   std::vector<double> next(s.owned);
   Patch patch;
   for (std::size_t i = 0; i < s.owned; i++) {
-    s.wanted[i] = d;
+    s.targetRadius[i] = d;
     if (!(finest < d)) continue;
     patch.gather(s, i, lists, std::min(2.5 * s.radius[i], reach));
     patch.fitCurvature();
-    s.wanted[i] = std::clamp(angleBetween / std::max(patch.largestCurvature(), 1e-12 / d), finest, d);
+    s.targetRadius[i] = std::clamp(angleBetween / std::max(patch.largestCurvature(), 1e-12 / d), finest, d);
   }
   if (finest < d) {
     refreshGhosts(halo, s, sent);
     // The mean of 1/r is the mean of curvatures.
     for (std::size_t i = 0; i < s.owned; i++) {
-      double sum = 1 / s.wanted[i], weight = 1;
+      double sum = 1 / s.targetRadius[i], weight = 1;
       forNeighbours(s, lists, i, [&](std::uint32_t j, double away) {
-        if (away < 1.5 * s.radius[i]) sum += 1 / s.wanted[j], weight += 1;
+        if (away < 1.5 * s.radius[i]) sum += 1 / s.targetRadius[j], weight += 1;
       });
       next[i] = weight / sum;
     }
     for (int pass = 0; pass < 2; pass++) {
-      std::copy(next.begin(), next.end(), s.wanted.data());
+      std::copy(next.begin(), next.end(), s.targetRadius.data());
       refreshGhosts(halo, s, sent);
       for (std::size_t i = 0; i < s.owned; i++)
         forNeighbours(s, lists, i, [&](std::uint32_t j, double away) {
-          next[i] = std::min(next[i], s.wanted[j] + grading * away);
+          next[i] = std::min(next[i], s.targetRadius[j] + grading * away);
         });
     }
-    std::copy(next.begin(), next.end(), s.wanted.data());
+    std::copy(next.begin(), next.end(), s.targetRadius.data());
   }
   for (std::size_t i = 0; i < s.owned; i++) {
-    const double off = s.wanted[i] - s.radius[i];
+    const double off = s.targetRadius[i] - s.radius[i];
     if (!(std::abs(off) > 0.1 * s.radius[i])) continue;
     s.radius[i] += 0.5 * off;
     s.resampleMargin[i] = 0;

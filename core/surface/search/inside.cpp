@@ -76,7 +76,7 @@ void findSides(const Surfels& f, const Bins& bins, const Vec3d& x, std::uint64_t
     const double far = (1 + 1e-9) * (std::sqrt(g.d2) + (1 + discShare) * largest);
     g.d2 = far * far;
   }
-  for (const InsideTools::Seen& n : t.seen)
+  for (const InsideTools::VisibleSurfel& n : t.seen)
     if (n.d2 <= t.groups[n.group].d2)
       t.near.push_back({t.groups[n.group].component, std::sqrt(viewOf(f, n.row, x).d2), f.id[n.row], n.row});
   for (InsideTools::Group& g : t.groups) g.d2 = std::numeric_limits<double>::infinity();

@@ -30,7 +30,7 @@ struct InsideTools {
     std::uint64_t id;
     std::uint32_t row;
   };
-  struct Seen {
+  struct VisibleSurfel {
     std::uint32_t row, group;  // group: index of its component
     double d2;                 // m^2, to the centre of the disc
   };
@@ -39,7 +39,7 @@ struct InsideTools {
     double d2;  // m^2, to the nearest centre
   };
   std::vector<Candidate> near;
-  std::vector<Seen> seen;
+  std::vector<VisibleSurfel> seen;
   std::vector<Group> groups;
 };
 

@@ -106,7 +106,7 @@ bool continuesAtWall(const SurfaceView& w, FieldProbe& probe, const Surfels& f, 
   const Vec3d x = projectedOutOfWalls(w, p.position, p.normal);
   Vec3d into;
   if (!facesWall(w, x, p.normal, into)) return false;
-  FieldHere c;
+  FieldSample c;
   probe.around({x, x}, f.component[i], f.position[i]);
   probe.at(&x, 1, &c);
   if (!(c.value > c.level)) return false;
@@ -179,7 +179,7 @@ void resampleOnParticles(const SurfaceView& w, SurfaceHalos halos, SurfaceTools&
   resample(w, halos, t, rounds, [&](const Surfels& f, std::size_t i, SurfacePoint& p, bool border) {
     // Births continue the mesh's surface, but do not bridge a crack.
     if (!border && keepsDetail(f, i)) {
-      FieldHere c;
+      FieldSample c;
       probe.around({p.position, p.position}, f.component[i], f.position[i]);
       probe.at(&p.position, 1, &c);
       return c.value > leastOverDetail * c.level;
@@ -271,7 +271,7 @@ void renewSurfels(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t) {
     if (small(f.component[i])) dead[i] = 1;
     else probed[i] = !keepsDetail(f, i) && !(f.hasReference.active && f.hasReference[i]);
   }
-  forFieldAtSurfels(w.scene, w.surface, t, probed, [&](std::size_t i, const FieldHere& c) {
+  forFieldAtSurfels(w.scene, w.surface, t, probed, [&](std::size_t i, const FieldSample& c) {
     if (std::abs(c.value - c.level) <= offSurface && c.value >= leastOver * c.level) return;
     if (Vec3d into;
         f.wallOffset.active && c.value > c.level && facesWall(w, f.position[i], f.normal[i], into))

@@ -183,7 +183,7 @@ class ExposedSeeder {
       const std::optional<SurfacePoint>& at = at_[k];
       if (!at || all_.covers(at->position - x, at->normal)) continue;
       const std::array<Vec3d, 2> places{at->position, at->position + at->normal * (0.5 * spacing_)};
-      std::array<FieldHere, 2> field;
+      std::array<FieldSample, 2> field;
       PlaceBox box{places[0], places[0]};
       box.add(places[1]);
       probe_.around(box, particles_.component[i], x);
@@ -266,7 +266,7 @@ void findDetached(const Scene& scene, const Surface& surface, SurfaceTools& t,
       }
       probed[i] = 1;
     });
-  forFieldAtSurfels(scene, surface, t, probed, [&](std::size_t i, const FieldHere& c) {
+  forFieldAtSurfels(scene, surface, t, probed, [&](std::size_t i, const FieldSample& c) {
     const double slope = length(c.gradient), along = slope > 0 ? -dot(c.gradient, f.normal[i]) / slope : -1;
     const double under = c.value / c.level - 1;
     // A mesh may begin half a spacing inside the particles' surface. The iterations move softening surfels

@@ -206,7 +206,7 @@ std::vector<std::string> warningsOf(const Counters& c, const LedgerReport& l) {
   add(c.singularNeighbourhoods,
       "solid particles have a flat, thin or isolated neighbourhood (rank of their moment matrix < 3)");
   add(c.inverted, "times a solid particle was inverted (det F <= 0)");
-  add(c.squeezed,
+  add(c.softenedParticles,
       "times a solid particle of `law = \"green\"` was compressed below 0.577 of its length, where that law "
       "softens: `law = \"corotated\"` or \"neo-hookean\" stiffens");
   add(c.coincidentPairs, "times a particle was at the position of another and was moved aside");

@@ -317,7 +317,7 @@ void readOriented(TableReader& r, OrientedBody& b, SceneReading& x) {
            "with an open rim need \"most\"");
   r.number("gap", b.gap, "", between(1.1, 2.1),
            "distance of neighbours (spacings) above which a particle is added between them");
-  r.number("crowd", b.crowd, "", between(0, 0.95),
+  r.number("removal_distance", b.removalDistance, "", between(0, 0.95),
            "distance (spacings) below which one of two particles is removed; 0: never");
   r.whole("every", b.every, 1, 100000, "steps between checks of gaps, borders and surplus particles");
   r.whole("most", b.most, 1, INT64_C(1) << 32, "number of particles at which this body stops growing");

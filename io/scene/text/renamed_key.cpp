@@ -8,10 +8,15 @@ struct RenamedKey {
   const char *former, *name;
 };
 
-constexpr RenamedKey renamedKeys[] = {{"anchor", "constraint"},     {"brush", "pressure_brush"},
-                                      {"pull", "attraction"},       {"pull_reach", "attraction_range"},
-                                      {"push", "acceleration"},     {"push", "repulsion"},
-                                      {"stroke", "line"},           {"wrap", "shrink_wrap"},
+constexpr RenamedKey renamedKeys[] = {{"anchor", "constraint"},
+                                      {"crowd", "removal_distance"},
+                                      {"brush", "pressure_brush"},
+                                      {"pull", "attraction"},
+                                      {"pull_reach", "attraction_range"},
+                                      {"push", "acceleration"},
+                                      {"push", "repulsion"},
+                                      {"stroke", "line"},
+                                      {"wrap", "shrink_wrap"},
                                       {"wrap_to", "shrink_wrap_to"}};
 
 }  // namespace

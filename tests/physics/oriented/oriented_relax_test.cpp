@@ -16,7 +16,7 @@ Scene pointsOfABall(int count, double inward) {
   OrientedBody& b = s.oriented[0];
   b.source = OrientedSource::Points;
   b.growth = OrientedGrowth::Borders;
-  b.crowd = 0.6;
+  b.removalDistance = 0.6;
   b.attract = 0.1;
   b.circle = 1.5;
   b.relax = 10000000;
@@ -35,7 +35,7 @@ TEST(OrientedRelaxation, EndsWherePointsSuggestNoSurface) {
   const OrientedWork& o = x.tools.oriented;
   EXPECT_TRUE(o.relaxStalled);
   EXPECT_FALSE(o.atRest);
-  EXPECT_GT(o.unrest, 1e-9);
+  EXPECT_GT(o.residualForce, 1e-9);
   EXPECT_EQ(o.relaxing, static_cast<std::int64_t>(x.w.oriented.rows.owned));
   EXPECT_EQ(o.relaxed - o.relaxProgress.gained, relaxStallLimit(o.relaxProgress.most));
   EXPECT_LT(o.relaxed, 10 * relaxStallLimit(o.relaxProgress.most));

@@ -17,7 +17,7 @@ Quad size(Quad x) { return x < 0 ? -x : x; }
 /// exp of the 3x3 matrix of (y, y', force) by its scaled and squared series, in quad precision: error 1e-30,
 /// no special cases.
 struct Reference {
-  Quad hold, keep, yield, push;
+  Quad qv, vv, qr, vr;
 };
 Reference reference(const SpringLaw& law, double dt) {
   const Quad m = law.mass, c = law.damping, k = law.stiffness;
@@ -83,11 +83,10 @@ TEST(ExactStep, AllRegimesToThirteenDigits) {
           const bool swings = c < 2 * w;
           const Quad decay = swings ? Quad(std::exp(-c / 2)) : Quad(0),
                      amplitude = swings && w > 1 ? decay : Quad(0);
-          worst = std::max(
-              {worst, error(x.hold, r.hold, amplitude * dt / w),
-               error(x.push, r.push, amplitude * dt / (w * mass)),
-               error(x.keep, r.keep, std::max(amplitude, c > 0.5 ? size(r.hold) * c / dt : Quad(0))),
-               error(x.yield, r.yield, amplitude * dt * dt / (w * w * mass))});
+          worst = std::max({worst, error(x.qv, r.qv, amplitude * dt / w),
+                            error(x.vr, r.vr, amplitude * dt / (w * mass)),
+                            error(x.vv, r.vv, std::max(amplitude, c > 0.5 ? size(r.qv) * c / dt : Quad(0))),
+                            error(x.qr, r.qr, amplitude * dt * dt / (w * w * mass))});
           ASSERT_LT(worst, 1e-13) << "m " << mass << " c " << c << " w " << w << " dt " << dt;
         }
   RecordProperty("worst", std::to_string(worst));
@@ -100,35 +99,35 @@ TEST(ExactStep, IsContinuousThroughTheDoubleRoot) {
       const SpringLaw law{2.0, 4 * a, 2 * a * a * (1 + beside)};
       const ExactStep x = exactStep(law, 1);
       const Reference r = reference(law, 1);
-      worst = std::max({worst, error(x.hold, r.hold, 0), error(x.keep, r.keep, size(r.hold) * a),
-                        error(x.yield, r.yield, 0), error(x.push, r.push, 0)});
+      worst = std::max({worst, error(x.qv, r.qv, 0), error(x.vv, r.vv, size(r.qv) * a), error(x.qr, r.qr, 0),
+                        error(x.vr, r.vr, 0)});
     }
   EXPECT_LT(worst, 1e-13);
 }
 
 TEST(ExactStep, HasTheKnownLimits) {
   const ExactStep ballistic = exactStep({2, 0, 0}, 3);
-  EXPECT_DOUBLE_EQ(ballistic.hold, 3);
-  EXPECT_DOUBLE_EQ(ballistic.keep, 1);
-  EXPECT_DOUBLE_EQ(ballistic.yield, 9.0 / 4);
-  EXPECT_DOUBLE_EQ(ballistic.push, 1.5);
+  EXPECT_DOUBLE_EQ(ballistic.qv, 3);
+  EXPECT_DOUBLE_EQ(ballistic.vv, 1);
+  EXPECT_DOUBLE_EQ(ballistic.qr, 9.0 / 4);
+  EXPECT_DOUBLE_EQ(ballistic.vr, 1.5);
   const ExactStep creeping = exactStep({0, 5, 2}, 3);  // first order
-  EXPECT_EQ(creeping.hold, 0);
-  EXPECT_NEAR(creeping.yield, -std::expm1(-6.0 / 5) / 2, 1e-16);
-  EXPECT_NEAR(creeping.push, std::exp(-6.0 / 5) / 5, 1e-16);
+  EXPECT_EQ(creeping.qv, 0);
+  EXPECT_NEAR(creeping.qr, -std::expm1(-6.0 / 5) / 2, 1e-16);
+  EXPECT_NEAR(creeping.vr, std::exp(-6.0 / 5) / 5, 1e-16);
   const ExactStep still = exactStep({0, 0, 4}, 0.1);
-  EXPECT_EQ(still.yield, 0.25);
-  EXPECT_EQ(still.keep, 0);
+  EXPECT_EQ(still.qr, 0.25);
+  EXPECT_EQ(still.vv, 0);
   for (const double m : {1e-8, 1e-12, 1e-16, 1e-30, 1e-300}) {
     const ExactStep x = exactStep({m, 5, 2}, 3), none = exactStep({0, 5, 2}, 3);
-    EXPECT_NEAR(x.yield / none.yield, 1, 3 * m + 1e-15) << m;
-    EXPECT_NEAR(x.push / none.push, 1, 3 * m + 1e-15) << m;
-    EXPECT_NEAR(x.hold, m * none.push, 1e-7 * m);
+    EXPECT_NEAR(x.qr / none.qr, 1, 3 * m + 1e-15) << m;
+    EXPECT_NEAR(x.vr / none.vr, 1, 3 * m + 1e-15) << m;
+    EXPECT_NEAR(x.qv, m * none.vr, 1e-7 * m);
   }
   for (const double k : {1e-8, 1e-12, 1e-16, 1e-30, 1e-300}) {  // toward a drag without a spring
     const ExactStep x = exactStep({1, 3, k}, 3), none = exactStep({1, 3, 0}, 3);
-    EXPECT_NEAR(x.yield / none.yield, 1, 3 * k + 1e-15);
-    EXPECT_NEAR(x.keep / none.keep, 1, 1e4 * k + 1e-13);  // keep is e^-9
+    EXPECT_NEAR(x.qr / none.qr, 1, 3 * k + 1e-15);
+    EXPECT_NEAR(x.vv / none.vv, 1, 1e4 * k + 1e-13);  // vv is e^-9
   }
   EXPECT_THROW(exactStep({0, 0, 0}, 1), std::invalid_argument);
   EXPECT_THROW(exactStep({1, -1, 0}, 1), std::invalid_argument);
@@ -142,8 +141,8 @@ TEST(ExactStep, TwoStepsEqualOneOfTwiceTheLength) {
       const double force = 1.7, start = 0.3;
       const auto advance = [&](const ExactStep& x, double& q, double& v) {
         const double r = force - law.stiffness * q, q0 = q;
-        q = q0 + x.hold * v + x.yield * r;
-        v = x.keep * v + x.push * r;
+        q = q0 + x.qv * v + x.qr * r;
+        v = x.vv * v + x.vr * r;
       };
       double q = start, v = law.mass > 1e-6 ? -2 : 0, q2 = q, v2 = v;
       const ExactStep one = exactStep(law, dt), two = exactStep(law, 2 * dt);
@@ -160,11 +159,11 @@ TEST(ExactStep, TwoStepsEqualOneOfTwiceTheLength) {
 /// Largest growth per step of the map with a neighbour force of stiffness kappa.
 double growth(const SpringLaw& law, double kappa, double dt) {
   const ExactStep x = exactStep(law, dt);
-  const SplitPush s = splitPush(law, x, dt);
+  const SplitForce s = splitForce(law, x, dt);
   const auto step = [&](double& z, double& v) {
     const double f0 = -kappa * z, z0 = z;
-    z = z0 + x.hold * v + x.yield * (f0 - law.stiffness * z0);
-    v = x.keep * v - x.push * law.stiffness * z0 + s.before * f0 - s.after * kappa * z;
+    z = z0 + x.qv * v + x.qr * (f0 - law.stiffness * z0);
+    v = x.vv * v - x.vr * law.stiffness * z0 + s.before * f0 - s.after * kappa * z;
   };
   double a = 1, b = 0, c = 0, d = 1;
   step(a, b);
@@ -194,8 +193,8 @@ TEST(ExactStep, StableLimitIsTight) {
   EXPECT_NEAR(stableStep({2, 0, 0}, 50), 2 / std::sqrt(50.0 / 2), 1e-9);  // the limit of leap-frog
   const SpringLaw law{1, 0, 0};
   const ExactStep x = exactStep(law, 0.1);
-  EXPECT_DOUBLE_EQ(splitPush(law, x, 0.1).before, 0.05);
-  EXPECT_DOUBLE_EQ(splitPush(law, x, 0.1).after, 0.05);
+  EXPECT_DOUBLE_EQ(splitForce(law, x, 0.1).before, 0.05);
+  EXPECT_DOUBLE_EQ(splitForce(law, x, 0.1).after, 0.05);
 }
 
 }  // namespace

@@ -19,13 +19,13 @@ TEST(FieldProbe, FindsTheSumOverParticlesWithItsGradient) {
   prepareParticles(rig.w.scene, rig.w.surface, rig.ranks->halos(), rig.tools);
   const SurfaceParticles& p = rig.w.surface.particles;
   const double h = rig.w.surface.particleSupport;
-  std::vector<FieldHere> first;
+  std::vector<FieldSample> first;
   for (const char* isa : {"base", "avx2", "avx512"}) {
     if (!surfaceKernels(isa)) continue;
     rig.tools.relax.kernels = surfaceKernels(isa);
     FieldProbe probe(rig.w.scene, rig.w.surface, rig.tools);
     std::vector<Vec3d> x;
-    std::vector<FieldHere> found(FieldProbe::most);
+    std::vector<FieldSample> found(FieldProbe::most);
     for (int k = 0; k < 7; k++) x.push_back({0.1 * k, 0.2, 5.9 - 0.1 * k});
     PlaceBox box{x[0], x[0]};
     for (const Vec3d& at : x) box.add(at);
@@ -77,7 +77,7 @@ TEST(FieldProbe, NewtonFindsTheSurfaceOrReportsNone) {
 // The particles of other ranks are present as far as the surrounding cells, and farther on fewer ranks.
 // Queries far from the owned cells must not depend on that.
 TEST(FieldProbe, DoesNotDependOnRemoteParticles) {
-  std::vector<FieldHere> found;
+  std::vector<FieldSample> found;
   for (const bool more : {false, true}) {
     RelaxRig rig;
     rig.addLattice(9, {0.3, 0.1, 0.2}, [](const Vec3d& x) { return std::abs(x.z) < 2 && std::abs(x.y) < 5; });

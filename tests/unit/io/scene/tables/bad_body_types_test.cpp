@@ -30,6 +30,7 @@ TEST(BadBodyTypes, FormerKeysAreRefusedWithTheirNewNames) {
                {cloth + "pull_reach = 1\n", "pull_reach", "attraction_range"},
                {patch + "push = [0, 0, 1]\n", "push", "acceleration"},
                {patch + "[[oriented.anchor]]\n", "anchor", "constraint"},
+               {patch + "crowd = 0.6\n", "crowd", "removal_distance"},
                {patch + "[[oriented.event]]\nkind = \"cut\"\nstroke = [[0, 0, 0]]\n", "stroke", "line"}};
   for (const auto& [text, key, name] : table) {
     const std::string said = errorOf(text);
