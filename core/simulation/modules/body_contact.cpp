@@ -31,7 +31,8 @@ StepModule bodyContact() {
             [](StepContext& c) { recordResistance(c.walls, c.t.contact.bodies.resistance); }}},
           [](Continuum& p) {
             return GhostColumns{{&p.contactDepth}, {&p.bodyContact}};
-          }};
+          },
+          [](World& w, StepTools& t) { prepareBodyContact(w.scene, w.grid, t.contact.bodies); }};
 }
 
 }  // namespace thaw

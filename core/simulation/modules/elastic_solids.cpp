@@ -163,6 +163,11 @@ StepModule solidSubsteps() {
             }}},
           [](Continuum& p) {
             return GhostColumns{{&p.stepMeanVelocity}, {}};
+          },
+          [](World& w, StepTools& t) {
+            // Contacts then limit the substep, not the step.
+            if (!w.modules.contact || w.modules.rareContact)
+              std::swap(t.limits.longestContact, t.limits.fixed[Limit::Contact]);
           }};
 }
 

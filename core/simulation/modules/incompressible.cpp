@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
 #include <optional>
+#include <vector>
 
 #include "core/flow/incompressible/pressure_solver.hpp"
 #include "core/halo/exchange.hpp"
+#include "core/kernels/lattice.hpp"
+#include "core/scene/full_box.hpp"
 #include "core/simulation/modules/step_modules.hpp"
 #include "core/simulation/step_context.hpp"
 #include "core/simulation/sums/particle_sums.hpp"
@@ -39,6 +44,19 @@ void solvePressure(World& w, Halos halos, StepTools& t, double dt) {
                dt);
 }
 
+/// Sets the constants of the pressure solver.
+void planPressure(const Scene& s, const std::vector<LiquidMaterial>& liquids, double inverseLatticeSum,
+                  PressureWork& work) {
+  const Numerics& n = s.numerics;
+  double sound = 0;  // proportional to the expected speed
+  for (const LiquidMaterial& l : liquids) sound = std::max(sound, l.soundSpeed);
+  work.targetRelativeDensity = 1 + (slidingLatticeSum(n) - latticeSum(n)) * inverseLatticeSum;
+  work.closed = liquidFillsTheBox(s) || n.buoyancy == Buoyancy::Boussinesq;
+  if (work.closed) work.targetRelativeDensity += flowDensityExcess;
+  work.relaxation = 0.9 / largestPressureResponse(n);
+  work.correctionTime = s.spacing / (sound * std::sqrt(n.maxDensityError));
+}
+
 }  // namespace
 
 StepModule incompressiblePressure() {
@@ -59,6 +77,9 @@ StepModule incompressiblePressure() {
             }}},
           [](Continuum& p) {
             return GhostColumns{{&p.clamped}, {&p.correction}};
+          },
+          [](World& w, StepTools& t) {
+            planPressure(w.scene, t.liquids, t.sums.scales.inverseLatticeSum, t.pressure);
           }};
 }
 

@@ -89,4 +89,9 @@ StepPhases phasesOf(World& w, const TermWork& terms) {
   return phases;
 }
 
+void prepareModules(World& w, StepTools& t) {
+  for (const StepModule& module : stepModules())
+    if (module.isOn(w, t.terms)) module.prepare(w, t);
+}
+
 }  // namespace thaw

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/simulation/workspace/step_phases.hpp"
+#include "core/simulation/workspace/step_tools.hpp"
 #include "core/simulation/world/world.hpp"
 #include "core/terms/term_work.hpp"
 
@@ -21,6 +22,8 @@ struct StepModule {
   std::vector<ModuleCall> calls;                ///< at most one per phase
   /// Columns that its sums read in ghosts, besides those of records (recordColumns), if they are active.
   GhostColumns (*ghosts)(Continuum&) = [](Continuum&) { return GhostColumns{}; };
+  /// Sets constants of the run, once, in a world with shapes, walls, liquids and active fields.
+  void (*prepare)(World&, StepTools&) = [](World&, StepTools&) {};
 };
 
 // In the order of stepModules().
@@ -78,5 +81,8 @@ std::vector<StepModule> stepModules();
 
 /// Returns the calls and ghosts of the modules that the scene has. Requires: active fields.
 StepPhases phasesOf(World& world, const TermWork& terms);
+
+/// Calls `prepare` of the modules that the scene has. Requires: as phasesOf.
+void prepareModules(World& world, StepTools& tools);
 
 }  // namespace thaw

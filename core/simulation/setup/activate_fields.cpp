@@ -8,6 +8,7 @@
 #include "core/simulation/body_types/redistribute_body_types.hpp"
 #include "core/simulation/setup/initial_fill.hpp"
 #include "core/simulation/setup/prepare_surface.hpp"
+#include "core/terms/extensions.hpp"
 
 namespace thaw {
 
@@ -76,9 +77,10 @@ void activateFields(World& w, const TermWork& terms, ElasticWork& elastic) {
          {&p.id, &p.position, &p.velocity, &p.acceleration, &p.mass, &p.material, &p.body, &p.dissipated,
           &p.cell, &p.phase, &p.dissipation, &p.interaction});
   turnOn(p, !terms.outside.empty(), {&p.outsideForce});
+  const bool curvature = actsByCurvature(w.scene.numerics, m), pairTension = m.tension && !curvature;
+  if (curvature) declareTensionForce(p);
   for (const auto& added : p.added) p.activate(*added);
   activateFluid(p, m);
-  const bool curvature = actsByCurvature(w.scene.numerics, m), pairTension = m.tension && !curvature;
   turnOn(p, curvature, {&p.surfaceGradient, &p.surfaceColour, &p.setLabel});
   turnOn(p, m.shifting && m.continuity && (pairTension || !terms.pairForces.empty()), {&p.positionForce});
   activateHeat(p, w.scene, m);
