@@ -14,7 +14,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-END = 0.0076  # s, end of scenes/elliptic_drop.toml
+END = 0.0076  # s, end of scenes/liquid/elliptic_drop.toml
 
 
 def halfAxes(time, steps=2000):

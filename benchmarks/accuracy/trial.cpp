@@ -3,6 +3,9 @@
 
 #include <cmath>
 #include <ctime>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
 
 #include "benchmarks/accuracy/made_meshes.hpp"
 #include "core/math/exact_sum.hpp"
@@ -56,11 +59,19 @@ void surfaceAfterStep(Trial& r, double move2) {
   countFrames(w.clock);
 }
 
+/// Returns the path of a scene of this name (without .toml) in a folder of scenes/.
+std::string sceneFile(const std::string& name) {
+  const std::string scenes = std::string(THAW_BENCHMARK_FOLDER) + "/scenes";
+  for (const auto& folder : std::filesystem::directory_iterator(scenes))
+    if (const auto file = folder.path() / (name + ".toml"); std::filesystem::exists(file))
+      return file.string();
+  throw std::runtime_error("no folder of " + scenes + " has " + name + ".toml");
+}
+
 }  // namespace
 
 void run(const Case& c, Trial& r, const std::vector<std::string>& overrides) {
-  const std::string file = std::string(THAW_BENCHMARK_FOLDER) + "/scenes/" + (c.scene ? c.scene : c.name) +
-                           ".toml";
+  const std::string file = sceneFile(c.scene ? c.scene : c.name);
   World& w = r.world;
   r.overrides = overrides;
   w.scene = sceneForAll(r.comm, file, overrides);

@@ -68,7 +68,7 @@ void rebuilt(Figures& figures, double spacing) {
   b.shape.mesh = "builtin:head";
   b.thin = 0.05;
   b.growth = OrientedGrowth::Borders;
-  b.crowd = 0.6;
+  b.removalDistance = 0.6;
   b.attract = 0.1;
   b.circle = 1.5;
   b.relax = 400;

@@ -61,7 +61,7 @@ void spheresAtRest(Figures& figures) {
     figures.row("sphere", ("co-circularity energy at rest" + with).c_str(), n,
                 energyOf(x, &PairPotential::circle), attract > 0 ? 0 : 1e-10);
     figures.row("sphere", ("largest force left, over stiffness spacing" + with).c_str(), n,
-                x.tools.oriented.unrest, 1e-9);
+                x.tools.oriented.residualForce, 1e-9);
   }
 }
 

@@ -45,7 +45,7 @@ void activateSurfaceFields(Surface& s, const Modules& m, bool walls) {
                                                         &f.facets,
                                                         &f.bulge,
                                                         &f.rim,
-                                                        &f.wanted,
+                                                        &f.targetRadius,
                                                         &f.resampleFlags,
                                                         &f.candidateOffset,
                                                         &f.candidateNormal})

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Surface tension against exact solutions (docs/validation/accuracy.md): Laplace's pressure and the second
 // mode of a drop.
-#include "benchmarks/accuracy/drop_cases.hpp"
+#include "benchmarks/accuracy/liquid/drop_cases.hpp"
 #include "core/fluid/laws/particle_pressure.hpp"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "benchmarks/accuracy/drop_cases.hpp"
+#include "benchmarks/accuracy/liquid/drop_cases.hpp"
 
 namespace thaw::accuracy {
 namespace {
