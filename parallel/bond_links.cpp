@@ -180,14 +180,14 @@ void BondLinks::begin(const Communicator& comm, std::span<AnyColumn* const> colu
   for (Partner& p : partners_) {
     if (p.receives.empty()) continue;
     p.in.resize(p.receives.size() * bytes);
-    startReceive(comm, p.in.data(), p.in.size(), p.rank, BondTag, p.receiving);
+    startReceive(comm, p.in, {p.rank, BondTag}, p.receiving);
   }
   for (Partner& p : partners_) {
     if (p.sends.empty()) continue;
     p.out.resize(p.sends.size() * bytes);
     std::byte* to = p.out.data();
     for (const AnyColumn* c : columns_) to = gather(*c, p.sends, to);
-    startSend(comm, p.out.data(), p.out.size(), p.rank, BondTag, MessagesFor::Bonds, p.sending);
+    startSend(comm, p.out, {p.rank, BondTag}, MessagesFor::Bonds, p.sending);
   }
 }
 

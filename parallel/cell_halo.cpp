@@ -132,7 +132,7 @@ void MpiCellHalo::beginGhosts(Table&, const CellTable& cells, std::span<AnyColum
   for (Neighbour& n : neighbours_) {
     if (n.rank == comm_.rank()) continue;
     fit(n.in, n.receiveRoom, n.receiveRoom);
-    startReceive(comm_, n.in.data(), n.receiveRoom, n.rank, GhostTag, n.receiving);
+    startReceive(comm_, {n.in.data(), n.receiveRoom}, {n.rank, GhostTag}, n.receiving);
   }
   if (neighbours_.empty()) return;
   listBoundary(grid_, box_, cells, boundary_);
@@ -158,10 +158,10 @@ void MpiCellHalo::sendGhosts(Neighbour& n, const CellTable& cells) {
   }
   if (n.rank == comm_.rank()) return;
   if (head.bytes <= n.sendRoom) {
-    startSend(comm_, n.out.data(), head.bytes, n.rank, GhostTag, MessagesFor::Ghosts, n.sending);
+    startSend(comm_, {n.out.data(), head.bytes}, {n.rank, GhostTag}, MessagesFor::Ghosts, n.sending);
   } else {
-    startSend(comm_, n.out.data(), sizeof head, n.rank, GhostTag, MessagesFor::Ghosts, n.sending);
-    startSend(comm_, n.out.data(), head.bytes, n.rank, GhostRestTag, MessagesFor::Ghosts, n.sending);
+    startSend(comm_, {n.out.data(), sizeof head}, {n.rank, GhostTag}, MessagesFor::Ghosts, n.sending);
+    startSend(comm_, {n.out.data(), head.bytes}, {n.rank, GhostRestTag}, MessagesFor::Ghosts, n.sending);
     n.sendRoom = roomFor(head.bytes);
   }
 }
@@ -174,7 +174,7 @@ void MpiCellHalo::receiveGhosts(Neighbour& n) {
     const std::size_t bytes = headOf(n.in).bytes;
     if (bytes > n.receiveRoom) {
       fit(n.in, bytes, withRoom(bytes));
-      startReceive(comm_, n.in.data(), bytes, n.rank, GhostRestTag, n.receiving);
+      startReceive(comm_, {n.in.data(), bytes}, {n.rank, GhostRestTag}, n.receiving);
       finishAll(n.receiving);
       n.receiveRoom = roomFor(bytes);
     }
@@ -228,13 +228,13 @@ void MpiCellHalo::beginRefresh(Table&, std::span<AnyColumn* const> columns) {
   for (Neighbour& n : neighbours_) {
     fit(n.in, n.ghostCount * row, withRoom(n.ghostCount * row));
     if (n.rank != comm_.rank())
-      startReceive(comm_, n.in.data(), n.ghostCount * row, n.rank, RefreshTag, n.receiving);
+      startReceive(comm_, {n.in.data(), n.ghostCount * row}, {n.rank, RefreshTag}, n.receiving);
   }
   for (Neighbour& n : neighbours_) {
     fit(n.out, n.copies.rows * row, withRoom(n.copies.rows * row));
     packColumns(grid_, n.copies, columns_, n.out.data());
     if (n.rank != comm_.rank())
-      startSend(comm_, n.out.data(), n.copies.rows * row, n.rank, RefreshTag, MessagesFor::Refresh,
+      startSend(comm_, {n.out.data(), n.copies.rows * row}, {n.rank, RefreshTag}, MessagesFor::Refresh,
                 n.sending);
   }
 }

@@ -3,19 +3,25 @@
 // split into chunks. Chunks of one tag between two ranks arrive in order.
 #pragma once
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "parallel/communicator.hpp"
 
 namespace thaw {
 
+/// The other rank of a message, and its tag.
+struct Peer {
+  int rank, tag;
+};
+
 /// Starts sending; the bytes must stay valid until finishAll(requests). Requests are appended. Each chunk
 /// counts as one message.
-void startSend(const Communicator& comm, const std::byte* from, std::size_t bytes, int to, int tag,
-               MessagesFor purpose, std::vector<MPI_Request>& requests);
+void startSend(const Communicator& comm, std::span<const std::byte> bytes, Peer to, MessagesFor purpose,
+               std::vector<MPI_Request>& requests);
 
 /// Starts receiving exactly this number of bytes.
-void startReceive(const Communicator& comm, std::byte* to, std::size_t bytes, int from, int tag,
+void startReceive(const Communicator& comm, std::span<std::byte> bytes, Peer from,
                   std::vector<MPI_Request>& requests);
 
 /// Waits for all requests and empties the list.

@@ -44,8 +44,10 @@ void addRod(FrameView& view, const Vec3d& from, const Vec3d& to, double radius, 
     for (int a = 0; a < 8; a++) {
       const double angle = (a + 0.5 * (k % 2)) * 0.78539816339744831;
       const Vec3d out = std::cos(angle) * u + std::sin(angle) * v;
-      addDisc(view, single(from + (static_cast<double>(k) / steps) * along + radius * out), single(out),
-              static_cast<float>(0.7 * radius), colour, component, false);
+      addDisc(view,
+              {single(from + (static_cast<double>(k) / steps) * along + radius * out), single(out),
+               static_cast<float>(0.7 * radius)},
+              colour, component, false);
     }
 }
 
@@ -91,12 +93,11 @@ OrientedLook orientedLookNamed(const std::string& name) {
   throw std::invalid_argument("expected mesh, wire, discs or axes for oriented particles, got " + name);
 }
 
-void addDisc(FrameView& view, const Vec3f& place, const Vec3f& normal, float radius, Rgb colour,
-             std::uint32_t component, bool twoSided) {
+void addDisc(FrameView& view, const ViewDisc& disc, Rgb colour, std::uint32_t component, bool twoSided) {
   for (int side = 0; side < (twoSided ? 2 : 1); side++) {
-    view.positions.push_back(place);
-    view.normals.push_back(side ? -normal : normal);
-    view.radii.push_back(radius);
+    view.positions.push_back(disc.position);
+    view.normals.push_back(side ? -disc.normal : disc.normal);
+    view.radii.push_back(disc.radius);
     view.colours.push_back(side ? darker(colour, 0.72) : colour);
     view.components.push_back(2 * component + static_cast<std::uint32_t>(side));
     view.values.push_back(std::numeric_limits<float>::quiet_NaN());
@@ -107,7 +108,7 @@ void addBall(FrameView& view, const Vec3f& place, float radius, Rgb colour, std:
   constexpr int discs = 40;
   for (int k = 0; k < discs; k++) {
     const Vec3f n = onSphere(k, discs);
-    addDisc(view, place + radius * n, n, 0.4f * radius, colour, component, false);
+    addDisc(view, {place + radius * n, n, 0.4f * radius}, colour, component, false);
   }
 }
 
@@ -134,7 +135,7 @@ void addOriented(FrameView& view, const fs::path& frame, OrientedLook look) {
     const double s = f.spacings[i];
     const Rgb colour = f.flags[i] & 2 ? fixedColour : paintOf(f, i);
     if (look == OrientedLook::Discs) {
-      addDisc(view, single(f.positions[i]), single(f.normals[i]), static_cast<float>(0.36 * s), colour,
+      addDisc(view, {single(f.positions[i]), single(f.normals[i]), static_cast<float>(0.36 * s)}, colour,
               component, true);
     } else if (look == OrientedLook::Axes) {
       const Vec3d x = f.positions[i], n = f.normals[i], u = f.tangents[i], v = cross(n, u);

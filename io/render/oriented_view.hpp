@@ -16,9 +16,13 @@ OrientedLook orientedLookNamed(const std::string& name);  ///< throws std::inval
 /// Turns a view of particles into one of surfels: every sphere (radius m) becomes discs with its value.
 void spheresToDiscs(FrameView& view, float radius);
 
-/// Adds discs to a view of surfels; twoSided for open surfaces. Value NaN: own colour.
-void addDisc(FrameView& view, const Vec3f& place, const Vec3f& normal, float radius, Rgb colour,
-             std::uint32_t component, bool twoSided);
+struct ViewDisc {
+  Vec3f position, normal;
+  float radius;
+};
+
+/// Adds a disc with a colour of its own to a view of surfels; twoSided for open surfaces.
+void addDisc(FrameView& view, const ViewDisc& disc, Rgb colour, std::uint32_t component, bool twoSided);
 void addBall(FrameView& view, const Vec3f& place, float radius, Rgb colour, std::uint32_t component);
 
 /// Adds a frame of oriented particles.

@@ -34,13 +34,13 @@ TEST(LongMessage, MoreThan2To31BytesArriveInOrder) {
   if (comm.rank() == last) {
     to.reset(static_cast<std::byte*>(std::malloc(bytes)));
     ASSERT_NE(to, nullptr);
-    startReceive(comm, to.get(), bytes, 0, 7, requests);
+    startReceive(comm, {to.get(), bytes}, {0, 7}, requests);
   }
   if (comm.rank() == 0) {
     from.reset(static_cast<std::byte*>(std::calloc(bytes, 1)));
     ASSERT_NE(from, nullptr);
     marked([&](std::size_t at) { from.get()[at] = mark(at); });
-    startSend(comm, from.get(), bytes, last, 7, MessagesFor::Migration, requests);
+    startSend(comm, {from.get(), bytes}, {last, 7}, MessagesFor::Migration, requests);
   }
   EXPECT_LE(comm.chunk(), std::size_t{1} << 30);
   finishAll(requests);

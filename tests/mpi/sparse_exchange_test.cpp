@@ -99,8 +99,8 @@ TEST(Transfer, ChunksArriveInOrder) {
     std::vector<std::byte> mine(bytes), theirs(bytes);
     for (std::size_t i = 0; i < bytes; i++) mine[i] = content(i, comm.rank(), 1);
     std::vector<MPI_Request> sending, receiving;
-    startReceive(comm, theirs.data(), bytes, from, 7, receiving);
-    startSend(comm, mine.data(), bytes, to, 7, MessagesFor::Rows, sending);
+    startReceive(comm, {theirs.data(), bytes}, {from, 7}, receiving);
+    startSend(comm, {mine.data(), bytes}, {to, 7}, MessagesFor::Rows, sending);
     EXPECT_EQ(sending.size(), (bytes + 63) / 64);
     finishAll(receiving);
     finishAll(sending);

@@ -80,7 +80,7 @@ inline std::unique_ptr<SolidBody> makeBody(const std::vector<Vec3d>& points, std
   }
   b.grid.period = options.period;
   for (int a = 0; a < 3; a++) b.grid.periodic[a] = options.period[a] > 0;
-  activateSolidFields(b.particles, b.solids, b.bonds, b.work, b.scene, b.modules, b.grid);
+  activateSolidFields(b.particles, b.solids, b.bonds, b.work, {b.scene, b.modules, b.grid});
   const std::size_t n = points.size();
   b.solids.resize(n, 0);
   const double support = options.support * options.spacing;

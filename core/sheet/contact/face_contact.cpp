@@ -135,7 +135,7 @@ struct FaceContact {
       v += share[k] * velocity[k];
     }
     velocity[3] = p.velocity[j], mass[3] = p.mass[j], share[3] = -1;
-    return frictionForces(rigidPointsOf(place, mass), velocity, share, at.off, at.n, v, law, normal);
+    return frictionForces(rigidPointsOf(place, mass), {velocity, share, at.off, at.n, v}, law, normal);
   }
 
   /// Mean values of the sheet at a particle, over all triangles within reach.

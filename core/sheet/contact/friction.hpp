@@ -45,13 +45,20 @@ inline RigidPoints rigidPointsOf(const std::array<Vec3d, 4>& place, const std::a
   return t;
 }
 
-/// Returns the friction forces (N) on the four points. share: barycentric weights of the nearest points,
-/// negative for the second body, with sum 0. apart (m): from the second's nearest point to the first's, along
-/// n. v (m/s): its rate. normal (N): contact force.
-inline std::array<Vec3d, 4> frictionForces(const RigidPoints& t, const std::array<Vec3d, 4>& velocity,
-                                           const std::array<double, 4>& share, const Vec3d& apart,
-                                           const Vec3d& n, const Vec3d& v, const TouchLaw& law,
-                                           double normal) {
+/// Motion of four points whose two nearest points touch.
+struct PointMotion {
+  std::array<Vec3d, 4> velocity;  ///< m/s
+  std::array<double, 4> share;  ///< barycentric weights of the nearest points, negative for the second body;
+                                ///< their sum is 0
+  Vec3d apart;                  ///< m, from the second's nearest point to the first's
+  Vec3d n;                      ///< unit vector along it
+  Vec3d v;                      ///< m/s, its rate
+};
+
+/// Returns the friction forces (N) on the four points. normal (N): contact force.
+inline std::array<Vec3d, 4> frictionForces(const RigidPoints& t, const PointMotion& motion,
+                                           const TouchLaw& law, double normal) {
+  const auto& [velocity, share, apart, n, v] = motion;
   Vec3d slide = v - dot(v, n) * n, spin{};
   if (t.there) {
     for (std::size_t k = 0; k < 4; k++) spin += t.mass[k] * cross(t.lever[k], velocity[k]);

@@ -57,8 +57,8 @@ struct MeshContact {
       velocity[k] = s.moving[p.row[k]];
       mass[k] = massOf(p.row[k]);
     }
-    const std::array<Vec3d, 4> forces = frictionForces(rigidPointsOf(place, mass), velocity, p.share, p.apart,
-                                                       n, v, law, normal);
+    const std::array<Vec3d, 4> forces = frictionForces(rigidPointsOf(place, mass),
+                                                       {velocity, p.share, p.apart, n, v}, law, normal);
     for (std::size_t k = 0; k < 4; k++) {
       const std::uint32_t i = p.row[k];
       if (i >= s.owned) continue;

@@ -115,7 +115,7 @@ void activateFields(World& w, const TermWork& terms, ElasticWork& elastic) {
   turnOn(p, faces, {&p.sheetFace, &p.sheetNormalForce, &p.sheetContactData, &p.sheetFriction});
   if (m.surface) activateSurfaceFields(w.surface, m, !w.walls.list.empty());
   if (p.initialFill.active) w.surface.particles.activate(w.surface.particles.fill);
-  if (m.solid) activateSolidFields(p, w.solids, w.bonds, elastic, w.scene, m, w.grid);
+  if (m.solid) activateSolidFields(p, w.solids, w.bonds, elastic, {w.scene, m, w.grid});
 }
 
 }  // namespace thaw

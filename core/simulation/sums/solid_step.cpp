@@ -132,7 +132,8 @@ void bondScene(World& w, Halos& halos, SolidWork& work, SleepWork& sleep) {
   for (std::size_t k = 0; k < parts; k++) {
     requests.clear();
     pairs.clear();
-    if (w.bonds.vectors) formBonds(w.particles, w.solids, w.bonds, w.neighbours, forming, requests, part(k));
+    if (w.bonds.vectors)
+      formBonds({w.particles, w.solids, w.bonds, w.neighbours}, forming, requests, part(k));
     else pairAtStart(w.particles, w.neighbours, forming, pairs, part(k));
     halos.bonds.rebuildBonds(bondedRows(w.particles), w.solids, w.bonds,
                              {requests, false, pairs, mostNeighbours, remotes});
@@ -152,8 +153,8 @@ void requestBonds(World& w, Halos& halos, StepTools& t) {
   refresh(halos.cells, p, bondFormingColumns(p)).wait();
   if (t.solid.bondsAtStart) return bondScene(w, halos, t.solid, t.sleep);
   t.solid.requests.clear();
-  w.counters.welds += formBonds(p, w.solids, w.bonds, w.neighbours, bondForming(w.scene, w.modules, t.solid),
-                                t.solid.requests);
+  w.counters.welds += formBonds({p, w.solids, w.bonds, w.neighbours},
+                                bondForming(w.scene, w.modules, t.solid), t.solid.requests);
   recordEnergyJump(w, t.solid, 1);
   rebuildSolidBonds(w, halos, t, {t.solid.requests, true});
 }
@@ -213,7 +214,7 @@ bool bondsForm(World& w, Reducer& all, const StepTools& t) {
   const SolidWork& work = t.solid;
   if (work.bondsAtStart || t.phaseChange.frozeAnywhere) return work.bondsAtStart || w.modules.freezing;
   if (!w.modules.welding) return false;
-  double touch = touchesToWeld(w.particles, w.solids, w.bonds, w.neighbours,
+  double touch = touchesToWeld({w.particles, w.solids, w.bonds, w.neighbours},
                                bondForming(w.scene, w.modules, work));
   all.maximum({&touch, 1});
   return touch > 0;

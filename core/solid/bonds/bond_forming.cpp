@@ -60,8 +60,8 @@ Vec3d referenceIn(const Mat3d& frame, const Vec3d& x) {
   return determinant(frame) < 0.05 ? x : inverse(frame) * x;
 }
 
-bool touchesToWeld(const Continuum& p, const Solids& solids, const Bonds& bonds, const NeighbourLists& lists,
-                   const BondForming& f) {
+bool touchesToWeld(const BondSearch& tables, const BondForming& f) {
+  const auto& [p, solids, bonds, lists] = tables;
   for (std::size_t g = 0; g < lists.groups; g++)
     for (std::size_t l = 0; l < lanes; l++) {
       const std::size_t i = lists.self[g * lanes + l];
@@ -78,9 +78,9 @@ bool touchesToWeld(const Continuum& p, const Solids& solids, const Bonds& bonds,
   return false;
 }
 
-std::int64_t formBonds(const Continuum& p, const Solids& solids, const Bonds& bonds,
-                       const NeighbourLists& lists, const BondForming& forming,
+std::int64_t formBonds(const BondSearch& tables, const BondForming& forming,
                        std::vector<BondRequest>& requests, ListedGroups range) {
+  const auto& [p, solids, bonds, lists] = tables;
   // Shifted positions of periodic images are rounded: only unshifted ones give both ends the same bits.
   const Column<Vec3d>& place = p.unwrappedPosition.active ? p.unwrappedPosition : p.position;
   const bool frames = forming.rule != BondRule::Start;

@@ -42,11 +42,18 @@ ColumnList bondFormingColumns(Continuum& particles);
 /// nearly singular or inverted (det F < 0.05), returns x itself.
 Vec3d referenceIn(const Mat3d& frame, const Vec3d& x);
 
+/// Tables that the search for bonds reads.
+struct BondSearch {
+  const Continuum& particles;
+  const Solids& solids;
+  const Bonds& bonds;
+  const NeighbourLists& lists;
+};
+
 /// Returns true if some owned particle can weld to an older solid neighbour, so that formBonds with
 /// BondRule::Welding has work although nothing froze. Requires: id, body, material, phase and position of
 /// ghosts.
-bool touchesToWeld(const Continuum& particles, const Solids& solids, const Bonds& bonds,
-                   const NeighbourLists& lists, const BondForming& forming);
+bool touchesToWeld(const BondSearch& tables, const BondForming& forming);
 
 /// Groups [first, last) of the neighbour lists; each particle is in one group.
 struct ListedGroups {
@@ -57,8 +64,7 @@ struct ListedGroups {
 /// order of the neighbour lists. Both ends request the same bond with the same bits. Bonded pairs are
 /// skipped. Returns the number of welds: bonds between different bodies, counted at the end with the smaller
 /// id.
-std::int64_t formBonds(const Continuum& particles, const Solids& solids, const Bonds& bonds,
-                       const NeighbourLists& lists, const BondForming& forming,
+std::int64_t formBonds(const BondSearch& tables, const BondForming& forming,
                        std::vector<BondRequest>& requests, ListedGroups range = {});
 /// As formBonds with BondRule::Start, where bonds have no vectors (Bonds::vectors).
 void pairAtStart(const Continuum& particles, const NeighbourLists& lists, const BondForming& forming,

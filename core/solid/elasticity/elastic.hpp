@@ -110,10 +110,17 @@ struct ElasticResult {
   }
 };
 
+/// What decides which fields and constants solids need.
+struct SolidSetup {
+  const Scene& scene;
+  const Modules& modules;
+  const CellGrid& grid;
+};
+
 /// Activates the fields of Solids, Bonds and Continuum that the scene's solids need, and sets the
 /// constants of `work`. Call it once, before the first bond is made.
 void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, ElasticWork& work,
-                         const Scene& scene, const Modules& modules, const CellGrid& grid);
+                         const SolidSetup& setup);
 /// Returns the fields that each step recomputes from positions and bonds, two thirds of the bytes. They are
 /// unused before bonds exist.
 std::vector<AnyColumn*> columnsOfSteps(Solids& solids, const ElasticWork& work);

@@ -25,7 +25,8 @@ std::vector<LawLoop> lawLoopsOf(const ElasticWork& work) {
 }  // namespace
 
 void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, ElasticWork& work,
-                         const Scene& scene, const Modules& modules, const CellGrid& grid) {
+                         const SolidSetup& setup) {
+  const auto& [scene, modules, grid] = setup;
   work.materials = scene.materials;
   for (Material& m : work.materials) m.density = solidDensityOf(m);  // for volumes and damping of bonds
   work.precision = scene.numerics.elasticPrecision;

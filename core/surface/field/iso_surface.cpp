@@ -14,9 +14,10 @@ std::optional<IsoStep> isoStep(const FieldSample& c, double particleSupport, dou
                  std::clamp(c.tight * (isoOffset - (c.level - c.value) / slope), -longest, longest)};
 }
 
-void projectToIsoSurface(FieldProbe& probe, std::uint64_t component, const Vec3d& ownPosition,
-                         const Vec3d* from, std::size_t n, double farthest,
+void projectToIsoSurface(FieldProbe& probe, const IsoTarget& target, std::span<const Vec3d> from,
                          std::optional<SurfacePoint>* found) {
+  const double farthest = target.farthest;
+  std::size_t n = from.size();
   const double longest = 0.5 * probe.scene().spacing, enough = 0.01 * probe.surface().spacing;
   std::array<Vec3d, FieldProbe::most> x;
   std::array<std::size_t, FieldProbe::most> of;  // index of the starting position of x[k]
@@ -24,7 +25,7 @@ void projectToIsoSurface(FieldProbe& probe, std::uint64_t component, const Vec3d
   PlaceBox box{from[0], from[0]};
   for (std::size_t k = 0; k < n; k++) x[k] = from[k], of[k] = k, found[k] = {}, box.add(from[k]);
   const Vec3d room{farthest, farthest, farthest};
-  probe.around({box.low - room, box.high + room}, component, ownPosition);
+  probe.around({box.low - room, box.high + room}, target.component, target.ownPosition);
   for (int round = 0; round < 12 && n > 0; round++) {
     probe.at(x.data(), n, field.data());
     std::size_t left = 0;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Projection onto the iso-surface of the particles' colour field.
 #pragma once
+#include <cstdint>
 #include <optional>
+#include <span>
 
 #include "core/surface/field/field_probe.hpp"
 #include "core/surface/search/local_surface.hpp"
@@ -17,11 +19,17 @@ struct IsoStep {
 std::optional<IsoStep> isoStep(const FieldSample& field, double particleSupport, double isoOffset,
                                double longest);
 
-/// Projects n <= FieldProbe::most positions along the gradient onto a component's iso-surface and returns
-/// points and normals. Positions without a surface within `farthest` (m) yield nothing. `ownPosition`: see
-/// FieldProbe::around. Changes the particles selected in the probe.
-void projectToIsoSurface(FieldProbe& probe, std::uint64_t component, const Vec3d& ownPosition,
-                         const Vec3d* from, std::size_t n, double farthest,
+/// Where to look for an iso-surface.
+struct IsoTarget {
+  std::uint64_t component;
+  Vec3d ownPosition;  ///< m, see FieldProbe::around
+  double farthest;    ///< m, largest distance of the surface from a position
+};
+
+/// Projects up to FieldProbe::most positions (m) along the gradient onto a component's iso-surface. Sets
+/// found[k] to point and normal, or to nothing without a surface near from[k]. Changes the particles selected
+/// in the probe.
+void projectToIsoSurface(FieldProbe& probe, const IsoTarget& target, std::span<const Vec3d> from,
                          std::optional<SurfacePoint>* found);
 
 }  // namespace thaw

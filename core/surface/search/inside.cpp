@@ -50,8 +50,9 @@ SurfaceSide sideOf(const Surfels& f, const InsideTools::Candidate* begin, const 
 
 }  // namespace
 
-void findSides(const Surfels& f, const Bins& bins, const Vec3d& x, std::uint64_t label, bool others,
-               double reach, InsideTools& t, std::vector<SurfaceSide>& sides) {
+void findSides(const Surfels& f, const Bins& bins, const SideQuery& query, InsideTools& t,
+               std::vector<SurfaceSide>& sides) {
+  const auto& [x, label, others, reach] = query;
   t.near.clear();
   sides.clear();
   t.seen.clear();

@@ -43,14 +43,22 @@ struct InsideTools {
   std::vector<Group> groups;
 };
 
-/// Finds the sides of components within `reach` (m) of x, ascending by label: all but component `label` with
-/// `others`, else only that one. `bins` hold the surfels, ghosts included. Each surfel counts as a disc of
-/// half its radius, so that neighbours touch but do not extend beyond edges. Discs at most one radius farther
-/// than the nearest one count, at most 12. The sign is that of the sum of (x - c).n / |x - c|^2 with the
-/// closest point c of each disc. It is right at edges and on both sides of a thin sheet
-/// (Inside.IsExactForACubeAndAThinSheet). Inside also requires a view on the back of a disc at more than 30
-/// degrees, which excludes the open end of a parted neck.
-void findSides(const Surfels& surfels, const Bins& bins, const Vec3d& x, std::uint64_t label, bool others,
-               double reach, InsideTools& tools, std::vector<SurfaceSide>& sides);
+/// A position (m) and the components whose sides are sought within `reach` (m): all but `component` with
+/// `others`, else only that one.
+struct SideQuery {
+  Vec3d position;
+  std::uint64_t component;
+  bool others;
+  double reach;
+};
+
+/// Finds the sides of components near a position, ascending by label. `bins` hold the surfels, ghosts
+/// included. Each surfel counts as a disc of half its radius, so that neighbours touch but do not extend
+/// beyond edges. Discs at most one radius farther than the nearest one count, at most 12. The sign is that of
+/// the sum of (x - c).n / |x - c|^2 with the closest point c of each disc. It is right at edges and on both
+/// sides of a thin sheet (Inside.IsExactForACubeAndAThinSheet). Inside also requires a view on the back of a
+/// disc at more than 30 degrees, which excludes the open end of a parted neck.
+void findSides(const Surfels& surfels, const Bins& bins, const SideQuery& query, InsideTools& tools,
+               std::vector<SurfaceSide>& sides);
 
 }  // namespace thaw

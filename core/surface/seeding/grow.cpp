@@ -191,8 +191,8 @@ void resampleOnParticles(const SurfaceView& w, SurfaceHalos halos, SurfaceTools&
     if (border && liquidShare(f, i) < 0.5 && floatsBeforeSheet(w, t, f, i, p)) return false;
     std::optional<SurfacePoint> at;
     const auto onto = [&](const Vec3d& x) {
-      projectToIsoSurface(probe, f.component[i], f.position[i], &x, 1,
-                          0.6 * f.radius[i] + 0.1 * w.scene.spacing, &at);
+      projectToIsoSurface(probe, {f.component[i], f.position[i], 0.6 * f.radius[i] + 0.1 * w.scene.spacing},
+                          {&x, 1}, &at);
       return at && dot(at->normal, p.normal) >= 0.3;
     };
     // Offset surfaces continue at the same offset. Half-solid surfels remain where they were carried.

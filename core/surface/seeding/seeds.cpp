@@ -38,7 +38,7 @@ void seedsOnSurface(FieldProbe& probe, std::size_t i, const Vec3d* u, std::size_
   const double dx = probe.scene().spacing;
   std::array<Vec3d, FieldProbe::most> from;
   for (std::size_t k = 0; k < n; k++) from[k] = p.position[i] + u[k] * (0.6 * dx);
-  projectToIsoSurface(probe, p.component[i], p.position[i], from.data(), n, 1.2 * dx, found);
+  projectToIsoSurface(probe, {p.component[i], p.position[i], 1.2 * dx}, {from.data(), n}, found);
   for (std::size_t k = 0; k < n; k++) {
     if (!found[k]) continue;
     const Vec3d d = found[k]->position - p.position[i];

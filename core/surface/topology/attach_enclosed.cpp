@@ -45,7 +45,7 @@ void attachEnclosed(Surface& s, SurfaceHalos halos, ComponentTools& t) {
   for (std::size_t i = 0; i < p.owned; i++) {
     if (p.component[i] == noComponent || std::binary_search(covered.begin(), covered.end(), p.part[i]))
       continue;
-    findSides(f, t.surfelBins, p.position[i], p.component[i], false, s.particleSupport, inside, sides);
+    findSides(f, t.surfelBins, {p.position[i], p.component[i], false, s.particleSupport}, inside, sides);
     if (sides.empty() || sides[0].distance >= 0 || sides[0].discsUsed < leastDiscs) continue;
     const std::uint64_t part = f.part[sides[0].nearest];
     // Otherwise those surfels have no particles and will be deleted.

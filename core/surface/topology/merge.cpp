@@ -89,7 +89,7 @@ bool touches(const SurfaceView& w, const ComponentTools& c, std::uint32_t i, std
     const Vec3d middle = p.position[i] + 0.5 * (p.position[j] - p.position[i]);
     found = true;
     for (const std::uint64_t label : {p.component[i], other}) {
-      findSides(s.surfels, c.surfelBins, middle, label, false, dx, t.inside, t.touching);
+      findSides(s.surfels, c.surfelBins, {middle, label, false, dx}, t.inside, t.touching);
       found = found && !t.touching.empty() && t.touching[0].discsUsed >= leastDiscs &&
               t.touching[0].distance < touchGap * dx;
     }
@@ -110,8 +110,9 @@ std::vector<ComponentPair> contactPairs(const SurfaceView& w, Reducer& all, cons
                                  particleContactReach(w.scene, w.surface)),
                   [&](std::uint32_t i) {
                     if (i >= p.owned) return;
-                    findSides(s.surfels, c.surfelBins, p.position[i], p.component[i], true,
-                              particleContactReach(w.scene, w.surface), t.inside, t.sides);
+                    findSides(s.surfels, c.surfelBins,
+                              {p.position[i], p.component[i], true, particleContactReach(w.scene, w.surface)},
+                              t.inside, t.sides);
                     for (const SurfaceSide& side : t.sides) {
                       if (side.discsUsed < leastDiscs || side.distance >= touchLength * w.scene.spacing)
                         continue;
@@ -149,7 +150,7 @@ void classifySurfel(const SurfaceView& w, std::uint32_t i, const Joined& joined,
                     MergeTools& t) {
   const Surface& s = w.surface;
   const Surfels& f = s.surfels;
-  findSides(f, c.surfelBins, f.position[i], f.component[i], true, surfelContactReach(w.scene, w.surface),
+  findSides(f, c.surfelBins, {f.position[i], f.component[i], true, surfelContactReach(w.scene, w.surface)},
             t.inside, t.sides);
   Vec3d push{};
   for (const SurfaceSide& side : t.sides) {
@@ -186,7 +187,7 @@ void classifyJoining(const Surface& s, std::uint32_t i, const Bins& joining, Com
   if (seen < leastDiscs) return;
   t.open[i] |= Joint;
   if (!behind || c.dead[i]) return;
-  findSides(f, joining, f.position[i], f.component[i], true, s.particleSupport, t.inside, t.sides);
+  findSides(f, joining, {f.position[i], f.component[i], true, s.particleSupport}, t.inside, t.sides);
   for (const SurfaceSide& side : t.sides)
     if (side.discsUsed >= leastDiscs && side.distance < 0 && t.into[side.nearest] == t.into[i]) c.dead[i] = 1;
 }

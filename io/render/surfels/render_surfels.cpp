@@ -371,7 +371,7 @@ Image renderSurfels(const SurfelInput& input, const RenderStyle& style, const Su
   addGlasses(style, lights.lights);
   const Backdrop backdrop(style, view, stage, lights.lights, casters);
   const std::vector<std::uint8_t> seen = facingDiscs(discs, view, width, height, near);
-  const CameraFaces faces = facesBefore(surfels.positions, surfels.faces, view, width, height, near);
+  const CameraFaces faces = facesBefore(surfels.positions, surfels.faces, {view, width, height}, near);
   const std::vector<SurfelShade> light = lightSurfels(surfels, visibleSurfels(surfels, parts, seen, faces),
                                                       lights, backdrop, how.threads);
   const std::vector<SurfelShade> shades = mixedShades(parts, light);
@@ -386,7 +386,7 @@ Image renderSurfels(const SurfelInput& input, const RenderStyle& style, const Su
   // Samples of a pixel lie in one tile, since SurfelTile::side is a multiple of 1, 2 and 4. With 3, tiles are
   // accumulated into a picture of sums.
   PixelSums pixels{s, style.width, std::vector<Light>(s == 3 ? image.pixels.size() : 0)};
-  splatSurfels({discs, clips, shades, parts.components, faces, light}, seen, view, width, height,
+  splatSurfels({discs, clips, shades, parts.components, faces, light}, seen, {view, width, height},
                s == 3 ? 1 : how.threads, [&](const SurfelTile& tile) {
                  if (!buffer.depth.empty()) storeDepth(tile, buffer);
                  if (s == 3) return pixels.add(samples, tile);

@@ -31,7 +31,8 @@ SurfelShade mixed(const CameraFaces::Face& f, std::span<const SurfelShade> shade
 }  // namespace
 
 CameraFaces facesBefore(std::span<const Vec3f> positions, std::span<const std::array<std::uint32_t, 3>> faces,
-                        const View& view, int width, int height, float near) {
+                        const SampleGrid& samples, float near) {
+  const auto& [view, width, height] = samples;
   CameraFaces all;
   for (const auto& rows : faces) {
     CameraFaces::Face f{{}, {}, rows, width, -1, height, -1};

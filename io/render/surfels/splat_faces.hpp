@@ -19,7 +19,7 @@ struct CameraFaces {
 /// Returns the `faces` (rows of positions) that face the camera, lie in the picture, and are not nearer than
 /// `near`.
 CameraFaces facesBefore(std::span<const Vec3f> positions, std::span<const std::array<std::uint32_t, 3>> faces,
-                        const View& view, int width, int height, float near);
+                        const SampleGrid& samples, float near);
 
 /// Draws these faces where they are nearer than the tile's depth, and sets drawn[sample] to 1 there.
 void drawFaces(const CameraFaces& all, std::span<const std::uint32_t> which,

@@ -308,8 +308,9 @@ std::vector<std::uint8_t> facingDiscs(const Discs& discs, const View& view, int 
   return seen;
 }
 
-void splatSurfels(const SurfelScene& scene, std::span<const std::uint8_t> seen, const View& view, int width,
-                  int height, int threads, const std::function<void(const SurfelTile&)>& take) {
+void splatSurfels(const SurfelScene& scene, std::span<const std::uint8_t> seen, const SampleGrid& samples,
+                  int threads, const std::function<void(const SurfelTile&)>& take) {
+  const auto& [view, width, height] = samples;
   const CameraDiscs discs = visibleDiscs(scene, seen, view, width, height);
   const TileLists lists = tileLists(discs.sphereBox, width, height);
   std::vector<Box> faceBoxes;

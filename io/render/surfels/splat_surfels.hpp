@@ -44,9 +44,15 @@ struct SurfelTile {
 std::vector<std::uint8_t> facingDiscs(const Discs& discs, const View& view, int width, int height,
                                       float near);
 
-/// Draws discs with `seen` on width x height samples, tile by tile. Calls take(tile), from `threads` threads
-/// in parallel.
-void splatSurfels(const SurfelScene& scene, std::span<const std::uint8_t> seen, const View& view, int width,
-                  int height, int threads, const std::function<void(const SurfelTile&)>& take);
+/// Samples of a picture.
+struct SampleGrid {
+  const View& view;
+  int width, height;
+};
+
+/// Draws discs with `seen` on the samples, tile by tile. Calls take(tile), from `threads` threads in
+/// parallel.
+void splatSurfels(const SurfelScene& scene, std::span<const std::uint8_t> seen, const SampleGrid& samples,
+                  int threads, const std::function<void(const SurfelTile&)>& take);
 
 }  // namespace thaw

@@ -145,8 +145,7 @@ void writeTrace(const std::string& path, const Communicator& comm, const StepTra
   std::vector<MPI_Request> requests;
   if (comm.rank() > 0) {
     MPI_Send(head, 2, MPI_INT64_T, 0, CountTag, comm.handle());
-    startSend(comm, reinterpret_cast<const std::byte*>(events.data()), events.size() * sizeof(TraceEvent), 0,
-              EventsTag, MessagesFor::Rows, requests);
+    startSend(comm, std::as_bytes(std::span(events)), {0, EventsTag}, MessagesFor::Rows, requests);
     finishAll(requests);
     return agree(comm.handle(), "");
   }
@@ -156,8 +155,7 @@ void writeTrace(const std::string& path, const Communicator& comm, const StepTra
     if (r > 0) {
       MPI_Recv(head, 2, MPI_INT64_T, r, CountTag, comm.handle(), MPI_STATUS_IGNORE);
       events.resize(static_cast<std::size_t>(head[0]));
-      startReceive(comm, reinterpret_cast<std::byte*>(events.data()), events.size() * sizeof(TraceEvent), r,
-                   EventsTag, requests);
+      startReceive(comm, std::as_writable_bytes(std::span(events)), {r, EventsTag}, requests);
       finishAll(requests);
     }
     putRank(out, r, events, head[1], zero);

@@ -108,7 +108,7 @@ TEST(BondForming, StartBondsBodiesSeparately) {
   fillParticles(*b, points);
   for (std::size_t i = 0; i < points.size(); i++) b->particles.body[i] = i % 6 >= 3;
   std::vector<BondRequest> requests;
-  EXPECT_EQ(formBonds(b->particles, b->solids, b->bonds, allPairs(points.size()),
+  EXPECT_EQ(formBonds({b->particles, b->solids, b->bonds, allPairs(points.size())},
                       forming(*b, BondRule::Start), requests),
             0);
   expectSymmetric(requests);
@@ -143,7 +143,7 @@ TEST(BondForming, FreezingJoinsWithoutStressJump) {
   for (std::size_t i = 0; i < points.size(); i++) b->particles.justFrozen[i] = !old(i);
   prepareBondForming(b->particles, b->solids);
   std::vector<BondRequest> requests;
-  formBonds(b->particles, b->solids, b->bonds, allPairs(points.size()), forming(*b, BondRule::Freezing),
+  formBonds({b->particles, b->solids, b->bonds, allPairs(points.size())}, forming(*b, BondRule::Freezing),
             requests);
   expectSymmetric(requests);
   for (const BondRequest& q : requests) EXPECT_FALSE(old(q.solidIndex) && old(q.neighbourId));
@@ -177,19 +177,19 @@ TEST(BondForming, WeldsOnlyAllowedBodies) {
     prepareBondForming(b->particles, b->solids);
     std::vector<BondRequest> freezing, welding;
     // 2-3
-    EXPECT_EQ(
-        formBonds(b->particles, b->solids, b->bonds, allPairs(4), forming(*b, BondRule::Freezing), freezing),
-        weld ? 1 : 0);
+    EXPECT_EQ(formBonds({b->particles, b->solids, b->bonds, allPairs(4)}, forming(*b, BondRule::Freezing),
+                        freezing),
+              weld ? 1 : 0);
     // 0-1 and 1-2 as well
     EXPECT_EQ(
-        formBonds(b->particles, b->solids, b->bonds, allPairs(4), forming(*b, BondRule::Welding), welding),
+        formBonds({b->particles, b->solids, b->bonds, allPairs(4)}, forming(*b, BondRule::Welding), welding),
         weld ? 3 : 0);
     expectSymmetric(welding);
     if (!weld) continue;
     addBonds(*b, welding);
     std::vector<BondRequest> again;
     b->particles.justFrozen[3] = 0;
-    formBonds(b->particles, b->solids, b->bonds, allPairs(4), forming(*b, BondRule::Welding), again);
+    formBonds({b->particles, b->solids, b->bonds, allPairs(4)}, forming(*b, BondRule::Welding), again);
     EXPECT_TRUE(again.empty());
   }
 }

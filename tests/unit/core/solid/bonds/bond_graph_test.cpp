@@ -55,7 +55,7 @@ struct Lattice {
     p.activate(p.phase);
     p.activate(p.material);
     p.activate(p.position);
-    activateSolidFields(p, s, b, work, scene, modules, grid);
+    activateSolidFields(p, s, b, work, {scene, modules, grid});
     p.resize(points.size(), 0);
     for (std::size_t i = 0; i < points.size(); i++) {
       p.id[i] = 1000 + i;
@@ -93,7 +93,7 @@ struct Lattice {
     Continuum p2;
     Solids s2;
     Bonds b2;
-    activateSolidFields(p2, s2, b2, fresh, scene, modules, grid);
+    activateSolidFields(p2, s2, b2, fresh, {scene, modules, grid});
     const std::vector<Sym3d> inverse(s.momentInverse.data(), s.momentInverse.data() + s.owned);
     refreshReference(fresh, s, b, true);
     for (std::size_t i = 0; i < s.owned; i++)

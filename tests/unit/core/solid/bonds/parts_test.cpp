@@ -20,7 +20,7 @@ std::unique_ptr<SolidBody> partOf(const SolidBody& whole, const std::vector<std:
   b.scene = whole.scene;
   b.modules = whole.modules;
   b.grid = whole.grid;
-  activateSolidFields(b.particles, b.solids, b.bonds, b.work, b.scene, b.modules, b.grid);
+  activateSolidFields(b.particles, b.solids, b.bonds, b.work, {b.scene, b.modules, b.grid});
   std::map<std::size_t, std::uint32_t> row;
   for (const std::size_t id : ids) row.emplace(id, static_cast<std::uint32_t>(row.size()));
   std::vector<std::size_t> rows = ids;

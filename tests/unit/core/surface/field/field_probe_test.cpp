@@ -61,14 +61,14 @@ TEST(FieldProbe, NewtonFindsTheSurfaceOrReportsNone) {
   FieldProbe probe(rig.w.scene, rig.w.surface, rig.tools);
   const std::array<Vec3d, 4> from{{{0, 0, 5}, {0, 0.4, 5}, {0.4, 0, 5.2}, {0, 0, 12}}};
   std::array<std::optional<SurfacePoint>, 4> found;
-  projectToIsoSurface(probe, 1, from[0], from.data(), from.size(), 1.5, found.data());
+  projectToIsoSurface(probe, {1, from[0], 1.5}, from, found.data());
   EXPECT_FALSE(found[3]);
   for (std::size_t k = 0; k < 3; k++) {
     ASSERT_TRUE(found[k]);
     EXPECT_NEAR(length(found[k]->position), 5.5, 0.25);
     EXPECT_GT(dot(found[k]->normal, normalized(found[k]->position)), 0.95);
     std::optional<SurfacePoint> alone;
-    projectToIsoSurface(probe, 1, from[0], &from[k], 1, 1.5, &alone);
+    projectToIsoSurface(probe, {1, from[0], 1.5}, {&from[k], 1}, &alone);
     ASSERT_TRUE(alone);
     EXPECT_TRUE(alone->position == found[k]->position && alone->normal == found[k]->normal);
   }

@@ -164,7 +164,7 @@ TEST(Inside, IsExactForACubeAndAThinSheet) {
       const Vec3d x{-0.7 + 1.4 * u(1), -0.7 + 1.4 * u(2), -0.2 + (z + 0.4) * u(3)};
       const double depth = std::min({0.5 - std::abs(x.x), 0.5 - std::abs(x.y), x.z, z - x.z});
       if (std::abs(depth) < 0.1 * rig.d) continue;
-      findSides(rig.f(), bins, x, noComponent, true, rig.world.surface.particleSupport, tools, sides);
+      findSides(rig.f(), bins, {x, noComponent, true, rig.world.surface.particleSupport}, tools, sides);
       if (sides.empty()) continue;
       asked++;
       if ((sides[0].distance < 0) != (depth > 0))
