@@ -11,7 +11,7 @@ namespace thaw {
 namespace {
 
 constexpr double verticesPerSurfel = 5;  // in meshes with cubes as wide as the radius of a surfel
-constexpr double mostVertices = 50000;
+constexpr double mostVertices = 100000;
 
 /// Moves a position by whole periods into the domain.
 Vec3d wrapped(Vec3d x, const PeriodicSides& sides) {
