@@ -11,18 +11,19 @@
 namespace thaw {
 namespace {
 
-/// Sums of a particle over the solids of other bodies, with the weights w and g = -dw/dr, times both shares.
+/// Sums of a particle over the solids of other bodies. The weights w and g = -dw/dr include the shares of
+/// both particles.
 struct BodySums {
   double phi = 0, rate = 0;                 ///< 1, 1/s: sum of w, and its rate
   double stiffness = 0, stiffnessRate = 0;  ///< N/m, N/(m s): sum of w k, and its rate
-  double dashpot = 0, frictionRate = 0;     ///< kg/s, sums of w times both
+  double dashpot = 0, frictionRate = 0;     ///< kg/s, sums of w times the pair's dashpot and frictionRate
   double friction = 0;                      ///< 1, sum of w mu
   double steepness = 0;                     ///< 1/m, sum of g
   Vec3d away{};                             ///< 1/m, sum of g times the direction from the other particle
   Vec3d motion{};                           ///< 1/s, sum of g times the relative velocity
 };
 
-/// Contact of a particle that follows from its sums.
+/// Contact of a particle, computed from its sums.
 struct Press {
   double energy = 0, rate = 0;  ///< J, W
   /// The force of a pair is (byStiffness k + alone + dash) g.
@@ -34,7 +35,7 @@ struct FaceSum {
   double sum = 0, slope = 0;  ///< 1, 1/m
 };
 
-/// Sum of the kernel, and its rate, `height` spacings above a flat surface of a cubic lattice.
+/// Sum of the kernel and its slope, `height` spacings above a flat surface of a cubic lattice.
 FaceSum overFace(const ContactKernel& k, double spacing, double height) {
   FaceSum f;
   constexpr int reach = 2;
@@ -57,10 +58,11 @@ std::span<const ClosePair> pairsOf(const BodyContactWork& work, const BodyTouch&
   return {work.pairs.data() + touch.first, work.pairs.data() + touch.last};
 }
 
-/// Velocities of a sum. After the evaluation, ghosts have other velocities than their owners.
+/// Velocities that a sum uses. After the evaluation, the velocities of ghosts differ from those of their
+/// owners.
 enum class Velocities { Now, OfEvaluation };
 
-/// Sums over the pairs that wanted(pair) admits.
+/// Sums over the pairs for which wanted(pair) is true.
 template<class Wanted>
 BodySums sumsOf(const BodyContactView& v, std::span<const ClosePair> pairs, const Wanted& wanted,
                 Velocities velocities = Velocities::Now) {
@@ -78,7 +80,7 @@ BodySums sumsOf(const BodyContactView& v, std::span<const ClosePair> pairs, cons
     s.dashpot += w * c.dashpot;
     s.frictionRate += w * c.frictionRate;
     s.friction += w * c.friction;
-    if (!(r > 0)) continue;  // no direction: separateCoincident moves them
+    if (!(r > 0)) continue;  // coincident particles have no direction; separateCoincident moves them
     const Vec3d u = p.velocity[pair.own] - p.velocity[pair.other];
     double& closing = v.work.closing[static_cast<std::size_t>(&pair - v.work.pairs.data())];
     if (velocities == Velocities::Now) closing = -dot(u, d) / r;
@@ -91,7 +93,7 @@ BodySums sumsOf(const BodyContactView& v, std::span<const ClosePair> pairs, cons
   return s;
 }
 
-/// rest: sum without force.
+/// Returns the contact. rest: sum (1) above which there is a force.
 Press pressOf(const ContactKernel& kernel, const BodySums& s, double rest) {
   Press press;
   const double excess = s.phi - rest;
@@ -107,13 +109,14 @@ Press pressOf(const ContactKernel& kernel, const BodySums& s, double rest) {
   return press;
 }
 
-/// Friction of a particle, its stored energy and its loss.
+/// Friction of a particle, its stored energy and the power it dissipates.
 struct Friction {
   SpringFriction force;
   double energy = 0, lost = 0;  ///< J, W
 };
 
-/// Stiffness (N/m) of the friction spring: half of that of a pair, since both particles have one.
+/// Stiffness (N/m) of a particle's friction spring. It is half of the pair's stiffness, since each
+/// particle of a pair has a spring.
 double shearStiffness(const BodySums& s) { return s.steepness > 0 ? 0.5 * s.stiffness / s.phi : 0; }
 
 /// Friction of a particle whose spring had the displacement `old` (m) before the step.
@@ -129,13 +132,14 @@ Friction frictionOf(const BodySums& s, const Press& press, const Vec3d& old, dou
   f.energy = 0.5 * k * dot(shear, shear);
   f.lost = -dot(f.force.dashpot, u);
   if (dt > 0) {
-    const double work = 0.5 * k * dot(old + shear, u);  // against the spring, in both half kicks
+    const double work = 0.5 * k * dot(old + shear, u);  // work rate (W) against the spring, over both half
+                                                        // kicks
     f.lost += work - (f.energy - 0.5 * k * dot(old, old)) / dt;
   }
   return f;
 }
 
-/// Continuum::bodyContact: the factors of Press, and the friction per g of a pair.
+/// Returns Continuum::bodyContact: the factors of Press, and the friction of a pair divided by its g.
 Mat3f contactData(const BodySums& s, const Press& press, const Friction& friction) {
   Mat3f data{};
   data.row[0] = single(Vec3d{press.byStiffness, press.alone, press.dash});
@@ -145,7 +149,7 @@ Mat3f contactData(const BodySums& s, const Press& press, const Friction& frictio
   return data;
 }
 
-/// Lists the pairs of an owned row with the solids of other bodies in reach.
+/// Lists the pairs of an owned row with solids of other bodies within a distance `reach` (m).
 void listPairs(const BodyContactView& v, double reach, std::uint32_t i, std::span<const RowSpan> around) {
   const Continuum& p = v.particles;
   const auto first = static_cast<std::uint32_t>(v.work.pairs.size());
@@ -180,13 +184,14 @@ double restOf(const ContactKernel& kernel, const Continuum& p, std::uint32_t i) 
   return std::max(kernel.touch, static_cast<double>(p.contactRest[i]));
 }
 
-/// Sets the sums at which particles rest: those of new particles that are closer, up to half a spacing. Where
-/// the particles of another body froze, the excess of the sum stays as it was without them, `before`.
+/// Sets the sum `rest` at which contact begins. New particles that are closer than one spacing, up to half a
+/// spacing, begin there. If particles of another body just froze, the excess of the sum stays the same as
+/// without those particles (`before`).
 void setRest(const ContactKernel& kernel, float& rest, bool fresh, double phi, double before) {
   const double old = fresh ? kernel.touch : std::max(kernel.touch, static_cast<double>(rest));
   const double excess = fresh ? 0 : std::max(0.0, before - old);
   double now = old;
-  if (phi < kernel.touch) now = kernel.touch;  // apart again
+  if (phi < kernel.touch) now = kernel.touch;  // the bodies have separated
   else if (fresh || before < phi) now = std::max(old, std::min(phi - excess, std::max(kernel.overlap, old)));
   rest = static_cast<float>(now);
 }
@@ -207,10 +212,10 @@ void findTouch(const BodyContactView& v, const ContactKernel& kernel, BodyTouch&
   const bool fresh = p.contactRest[i] == 0 || (frozen && p.justFrozen[i]);
   setRest(kernel, p.contactRest[i], fresh, sums.phi, before.phi);
   const Press press = pressOf(kernel, sums, restOf(kernel, p, i));
-  // Half the work of the step's last kick, for which the force did not exist.
+  // Includes half the work of the step, since the force did not exist before the step's last kick.
   if (frozen) frozen->add(without.energy - press.energy + 0.5 * v.step * (press.rate - without.rate));
   const Friction friction = frictionOf(sums, press, p.contactShear[i], v.dt);
-  // Velocities of a state that is restored are not those of its evaluation, which set the displacement.
+  // In a restored state, the velocities are not those of the evaluation that set the displacement.
   if (v.dt > 0) p.contactShear[i] = friction.force.shear;
   touch.energy = press.energy, touch.rate = press.rate;
   touch.soon = sums.phi + 2 * v.step * std::max(sums.rate, 0.0) >= restOf(kernel, p, i);
@@ -243,7 +248,7 @@ double ContactKernel::slopeAt(double rest) const {
 }
 
 double ContactKernel::share(float depth) const {
-  if (!(depth > 0 && depth < 0.5F)) return 1;  // 0: not known
+  if (!(depth > 0 && depth < 0.5F)) return 1;  // 0: the depth is unknown
   const double x = 2 * depths * static_cast<double>(depth);
   const auto k = static_cast<std::size_t>(x);
   return shares[k] + (shares[k + 1] - shares[k]) * (x - static_cast<double>(k));

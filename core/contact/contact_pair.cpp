@@ -22,7 +22,7 @@ double stiffnessOf(const Scene& s, const Continuum& p, std::uint32_t row) {
 
 double contactStiffness(const Scene& s, const Continuum& p, std::uint32_t i, std::uint32_t j) {
   double a = stiffnessOf(s, p, i), b = stiffnessOf(s, p, j);
-  // A rigid particle counts as stiff as its elastic partner, so that the step limit of contacts holds.
+  // A rigid particle gets the stiffness of its elastic partner, so that the step limit of contacts holds.
   if (touchesAsPiece(p, i)) a = b;
   if (touchesAsPiece(p, j)) b = a;
   return 2 * a * b / (a + b);
@@ -49,7 +49,7 @@ bool hasBondTo(const Solids& solids, const Bonds& bonds, const Continuum& p, std
                std::uint32_t j) {
   const std::uint32_t solidIndex = p.solidIndex[i];
   if (solidIndex == noSolid) return false;
-  const bool here = j < p.owned;  // then bonds refer to its row in Solids, and no id is read
+  const bool here = j < p.owned;  // bonds then refer to the row of j in Solids, so no id is read
   const std::uint32_t other = here ? p.solidIndex[j] : noSolid;
   if (here && other == noSolid) return false;
   for (int k = 0; k < bonds.capacity; k++) {

@@ -18,9 +18,9 @@ struct DissipativeForce {
 };
 
 struct ContactPair {
-  double stiffness;     ///< N/m, harmonic mean of both E * spacing
-  double restitution;   ///< 1, the smaller one
-  double friction;      ///< 1, the smaller one
+  double stiffness;     ///< N/m, harmonic mean of E * spacing of the two particles
+  double restitution;   ///< 1, the smaller value of the two materials
+  double friction;      ///< 1, the smaller value of the two materials
   double dashpot;       ///< kg/s
   double frictionRate;  ///< kg/s, largest rate of friction: it stops sliding without reversing it
 };
@@ -32,14 +32,16 @@ ContactPair contactPair(const Scene& scene, const Continuum& particles, std::uin
 /// Stiffness (N/m) of contactPair.
 double contactStiffness(const Scene& scene, const Continuum& particles, std::uint32_t i, std::uint32_t j);
 
-/// Returns true if both are solid, and not both in rigid pieces, whose contacts are impulses.
+/// Returns true if both particles are solid and at most one is in a rigid piece. Contacts between rigid
+/// pieces are impulses.
 bool canTouch(const Continuum& particles, std::uint32_t i, std::uint32_t j);
 
 /// Returns true if owned row i has a bond to row j.
 bool hasBondTo(const Solids& solids, const Bonds& bonds, const Continuum& particles, std::uint32_t i,
                std::uint32_t j);
 
-/// Exactly antisymmetric difference (m) of two positions. Positions of periodic images are shifted already.
+/// Exactly antisymmetric difference (m) of two positions. Requires: positions of periodic images are already
+/// shifted.
 Vec3d exactDifference(const CellGrid& grid, const Vec3d& a, const Vec3d& b);
 
 }  // namespace thaw

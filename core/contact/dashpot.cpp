@@ -9,7 +9,8 @@
 namespace thaw {
 namespace {
 
-/// Coefficient of restitution for a damping ratio z: exp(-z t), t the end of contact in units of 1/omega_0.
+/// Coefficient of restitution for a damping ratio z: exp(-z t), where t is the end of contact in units of
+/// 1/omega_0.
 double restitutionOf(double z) {
   const double d = 1 - z * z;
   if (std::abs(d) < 1e-9) return std::exp(-2.0);

@@ -19,8 +19,8 @@ struct SpringFriction {
 };
 
 /// Returns the friction at a face with the normal n for a spring that was moved to the displacement `moved`
-/// (m), and the relative velocity u (m/s). The spring slips where its force would exceed the bound; the
-/// dashpot is limited to the rest.
+/// (m), and the relative velocity u (m/s). The spring slips if its force would exceed the bound. The dashpot
+/// is limited to the remainder of the bound.
 inline SpringFriction springFriction(const FrictionLaw& law, const Vec3d& n, const Vec3d& moved,
                                      const Vec3d& u) {
   SpringFriction f;

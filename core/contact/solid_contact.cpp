@@ -9,8 +9,8 @@
 namespace thaw {
 namespace {
 
-/// Returns true if two particles with a gap (m), along the direction n from the other to the own, touch
-/// within two steps.
+/// Returns true if two particles with a gap (m) touch within two steps. n: direction from the other particle
+/// to the own one.
 bool willTouch(const ContactContext& x, const Continuum& p, const ClosePair& pair, const Vec3d& n,
                double gap) {
   return !(gap > -2 * x.step * dot(p.velocity[pair.own] - p.velocity[pair.other], n)) || gap <= 0;

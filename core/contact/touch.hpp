@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact of a sheet vertex or an oriented particle: a spring with dashpot (CS79), a
-// barrier, and Coulomb friction; for sheets per area.
+// Contact of a sheet vertex or an oriented particle: a spring with dashpot (CS79), a barrier, and Coulomb
+// friction. For sheets, forces and energies are per area.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,8 @@ struct TouchLaw {
   double mass;         ///< kg/m^2, or kg where forces are N
   double restitution;  ///< 1
   double friction;     ///< 1, Coulomb
-  double span;         ///< s, step; friction removes at most half of the sliding velocity in it
+  double span;         ///< s, length of the step, in which friction removes at most half of the sliding
+                       ///< velocity
   double barrier = 0;  ///< N/m (or N/m^3): adds a force 2 barrier depth^3 / reach^2 to the spring; it stores
                        ///< barrier reach^2 / 2 at full depth and is negligible for light contact
   double reach = 1;    ///< m, depth at which the contact fails
@@ -24,8 +25,8 @@ struct TouchLaw {
 struct Touch {
   Vec3d force{};             ///< N/m^2 (or N) on the vertex
   double energy = 0;         ///< J/m^2 (or J), stored
-  Vec3d dissipativeForce{};  ///< dissipative part of force; the loss is -dissipativeForce * velocity, with
-                             ///< the velocity after the kick of all forces
+  Vec3d dissipativeForce{};  ///< N/m^2 (or N), dissipative part of force; the loss is -dissipativeForce *
+                             ///< velocity, with the velocity after the kick of all forces
   double slope = 0;          ///< N/m^3 (or N/m), stiffness that bounds the step, dashpot included
 };
 
@@ -36,22 +37,22 @@ inline Vec3d frictionOf(const TouchLaw& law, double normal, const Vec3d& slide) 
   return slide * -std::min(law.friction * normal / speed, 0.5 * law.mass / law.span);
 }
 
-/// Slope of the force (N/m^3, or N/m) at the largest depth within the next step, from depth (m; below 0: not
-/// in contact) and separation speed vn (m/s).
+/// Slope of the force (N/m^3, or N/m) at the largest depth within the next step. depth: m, negative without
+/// contact; vn: separation speed, m/s.
 inline double slopeAhead(const TouchLaw& law, double depth, double vn) {
   const double ratio = dashpotRatio(law.restitution), k = law.mass * law.rate * law.rate,
                steep = 2 * law.barrier / (law.reach * law.reach);
-  const double stiffer = 1 + ratio * (2.2 + 1.1 * ratio);  // for steps whose dashpot velocity lags by one
-                                                           // force evaluation: fit to the eigenvalues, within
-                                                           // 3 %
+  const double stiffer = 1 + ratio * (2.2 + 1.1 * ratio);  // for steps in which the dashpot velocity lags by
+                                                           // one force evaluation; a fit to the eigenvalues,
+                                                           // accurate to 3 %
   const double deeper = std::min(law.reach, depth + std::max(0.0, -vn) * 1.1 * law.span);
   if (!(deeper > 0)) return 0;
   const double root = std::sqrt(k + 3 * steep * deeper * deeper) + std::sqrt(k) * (stiffer - 1);
   return root * root;
 }
 
-/// depth > 0 (m): penetration of the contact thickness; n: outward normal of the other side; v: relative
-/// velocity (m/s).
+/// Returns the contact. depth: m, > 0, penetration into the contact thickness; n: outward normal of the other
+/// side; v: relative velocity, m/s.
 inline Touch touchOf(const TouchLaw& law, double depth, const Vec3d& n, const Vec3d& v) {
   Touch t;
   const double ratio = dashpotRatio(law.restitution), k = law.mass * law.rate * law.rate,
@@ -79,7 +80,7 @@ inline double blowRate(double rate, double reach, double speed) {
   return 4 * rate * speed / (0.0625 * rate * reach);
 }
 
-/// Rate of approach (1/s) averaged over a step (s): never overshoots the target.
+/// Rate of approach (1/s) averaged over a step (s), so that it never overshoots the target.
 inline double averaged(double rate, double span) {
   return rate * span > 0 ? -std::expm1(-rate * span) / span : 0;
 }

@@ -21,14 +21,14 @@ namespace {
 
 constexpr double mostInLayer = 1e6;
 
-/// Density at rest (kg/m^3) of the particles of an emitter. With a field of temperatures across the melting
-/// temperature, some have another volume at rest.
+/// Density at rest (kg/m^3) of an emitter's particles, at the emitter's temperature. If its temperature field
+/// crosses the melting temperature, the rest volume of some particles differs.
 double emittedDensity(const Scene& s, const Emitter& e) {
   const Material& m = s.materials[static_cast<std::size_t>(e.material)];
   return solidAt(m, e.temperature) ? solidDensityOf(m) : m.density;
 }
 
-/// Two unit vectors perpendicular to a direction, by a fixed rule, so that every rank and run makes the same
+/// Sets u and v to unit vectors perpendicular to n. The rule is fixed, so every rank and run makes the same
 /// layers.
 void across(const Vec3d& n, Vec3d& u, Vec3d& v) {
   const Vec3d axis = leastAxis(n);
@@ -36,7 +36,7 @@ void across(const Vec3d& n, Vec3d& u, Vec3d& v) {
   v = cross(n, u);
 }
 
-/// Lattice points k + 1/2 spacings from the middle (or on it, for odd counts) within an extent.
+/// Returns coordinates (m) of the lattice points that fit into an extent (m), symmetric about its middle.
 std::vector<double> centred(double extent, double spacing) {
   const int n = std::max(1, static_cast<int>(std::floor(extent / spacing + 1e-9)));
   std::vector<double> x;
@@ -44,8 +44,8 @@ std::vector<double> centred(double extent, double spacing) {
   return x;
 }
 
-/// Time in the nozzle for as many layers as fit within the support radius of the leaving layer and in the
-/// domain.
+/// Time (s) that a layer spends in the nozzle. The nozzle is one support radius long, or shorter if the
+/// domain ends earlier.
 double nozzleTime(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
   const double distance = plan.interval * e.speed;
   const Vec3d n = normalized(e.direction);
@@ -64,7 +64,7 @@ double nozzleTime(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
   return 0;
 }
 
-/// Energy of pairs of a layer with itself and with earlier layers, as in the force sums (Cohesion).
+/// Returns EmitterPlan::cohesion (J) for pairwise tension, with the potential of the force sums (Cohesion).
 std::vector<std::vector<double>> cohesionOf(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
   using isa_base::Cohesion;
   const Material& m = s.materials[static_cast<std::size_t>(e.material)];
@@ -90,8 +90,9 @@ std::vector<std::vector<double>> cohesionOf(const Scene& s, const Emitter& e, co
   return energy;
 }
 
-/// Second differences of the surface energy E(m) (findSurfaceEnergy) of stacks of m layers, per particle of a
-/// layer; [m]: E(m + 1) - 2 E(m) + E(m - 1).
+/// Returns EmitterPlan::cohesion (J) for tension by surface energy. [m] is the second difference E(m + 1) - 2
+/// E(m) + E(m - 1) per particle of a layer, where E(m) is the energy of a stack of m layers
+/// (findSurfaceEnergy).
 std::vector<std::vector<double>> surfaceEnergyOf(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
   const Material& m = s.materials[static_cast<std::size_t>(e.material)];
   std::vector<std::vector<double>> energy;
@@ -150,8 +151,8 @@ ShapeError placed(const Emitter& e, const std::string& what) {
   return problem.lines();
 }
 
-/// Adds velocities and temperatures of a layer for emitters with fields. Layers leave as a whole, so no field
-/// may change their speed along the direction.
+/// Adds a layer's velocities and temperatures for emitters with fields. A layer leaves as a whole, so fields
+/// must not change its speed along the direction.
 void addFields(const Emitter& e, EmitterPlan& plan) {
   const Vec3d n = normalized(e.direction);
   SceneProblems problems;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Emitters: layers of particles that leave a disc or rectangle one after another. A layer is created a few
-// spacings behind the opening and driven through this nozzle at the emitter's speed against any pressure. It
-// pushes earlier layers like a piston, and no particle is created at an occupied position.
+// Emitters create layers of particles that leave a disc or rectangle one after another. A layer is created a
+// few spacings behind the opening and driven through this nozzle at the emitter's speed against any pressure.
+// It pushes earlier layers like a piston, and no particle is created at an occupied position.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -33,8 +33,8 @@ struct EmitterPlan {
 /// the opening has a bad value, changes the speed along the direction, or moves neighbours in the nozzle.
 std::vector<EmitterPlan> planEmitters(const Scene& scene);
 
-/// Returns a sentence about an emitter whose opening is partly outside of the domain or in an obstacle; empty
-/// if it is not. A nozzle ends at the domain and may lie in an obstacle.
+/// Returns a sentence if the emitter's opening is partly outside the domain or in an obstacle, else an empty
+/// string. A nozzle ends at the domain and may lie in an obstacle.
 std::string misplacedOpening(const Scene& scene, const Walls& walls, const Emitter& emitter,
                              const EmitterPlan& plan);
 
@@ -43,8 +43,8 @@ inline double outflowOf(const EmitterPlan& plan) {
   return static_cast<double>(plan.layer.size()) * plan.particleMass / plan.interval;
 }
 
-/// Returns a sentence about an emitter whose mass flow differs much from opening * speed * density, since
-/// layers have whole spacings; empty if it does not.
+/// Returns a sentence if the mass flow differs much from opening area * speed * density, else an empty
+/// string. Such differences arise since a layer has a whole number of particles.
 std::string unevenOutflow(const Scene& scene, const Emitter& emitter, const EmitterPlan& plan);
 
 /// Returns the number of layers created up to `time` (s): layers [layersUntil(a), layersUntil(b)) are created
@@ -57,7 +57,8 @@ double cohesionAtEntry(const EmitterPlan& plan, std::int64_t layer, std::size_t 
 /// Time (s) at which a layer leaves the opening.
 double leavingTime(const Emitter& emitter, const EmitterPlan& plan, std::int64_t layer);
 
-/// Ids contain the source of a particle, a body or emitter, and a number within it.
+/// Number of bits of an id for the number of the particle within its source. Higher bits hold the number of
+/// the body or emitter.
 inline constexpr int idBits = 40;
 inline std::uint64_t particleId(std::uint64_t source, std::uint64_t number) {
   return source << idBits | number;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Extent of a body outside of the domain: number of particles, sides and distance.
+// Part of a body outside the domain: number of particles, sides and distance.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -12,7 +12,8 @@ namespace thaw {
 struct Outside {
   std::int64_t count = 0;
   double beyond[3][2] = {{-1, -1}, {-1, -1}, {-1, -1}};  ///< m, [axis][low, high], distance of the farthest
-                                                         ///< position; below 0: none
+                                                         ///< position beyond the side; below 0: no position
+                                                         ///< is outside
   /// Records a position if it is outside; returns true if it is.
   bool look(const Domain& domain, const Vec3d& x);
 };

@@ -63,7 +63,7 @@ void findLeaving(const Domain& d, Rows& p, std::size_t begin, std::size_t end,
   const Vec3d* position = p.position.data();
   for (std::size_t i = begin; i < end; i++)
     if (box.leaves(position[i])) {
-      p.nextCell[i] = noCell;  // not its last cell, which another rank may own since the last rebalance
+      p.nextCell[i] = noCell;  // its last cell may belong to another rank since the last rebalance
       rows.push_back(static_cast<std::uint32_t>(i));
     }
 }

@@ -18,7 +18,7 @@ struct Counters;
 double wrapPlace(const CellGrid& grid, const Domain& domain, Vec3d& place);
 
 /// Wraps owned particles beyond periodic sides into the domain. Adds their gain of gravitational potential
-/// energy (J), as in endless falls, to `potential`.
+/// energy (J) to `potential`; particles that fall endlessly gain such energy.
 void wrapPeriodic(const CellGrid& grid, const Domain& domain, Continuum& particles, ExactSum& potential);
 
 /// Region enclosed by open sides (m); infinite along other sides.
@@ -34,11 +34,13 @@ OpenBox openBox(const Domain& domain);
 
 bool hasOpenSide(const Domain& domain);
 
-/// Counts a particle that leaves at x at the open side that it is farthest beyond.
+/// Counts a particle that leaves at position x (m). If it is beyond several open sides, the farthest one
+/// counts.
 void countLeaving(const Domain& domain, const Vec3d& x, Counters& counters);
 
-/// Appends rows of [begin, end) beyond an open side, ascending, to `rows`. Sets their nextCell to noCell, so
-/// that migration skips them; the caller records and drops them. Particles: Continuum, BodyTypeRows.
+/// Appends rows of [begin, end) beyond an open side, ascending, to `rows`. Sets nextCell of these rows to
+/// noCell, so that migration skips them. The caller records and drops them. Particles: Continuum,
+/// BodyTypeRows.
 template<class Rows>
 void findLeaving(const Domain& domain, Rows& particles, std::size_t begin, std::size_t end,
                  std::vector<std::uint32_t>& rows);

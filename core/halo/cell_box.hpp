@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Boxes of whole cells: the cells of a rank, and the parts of them that other ranks copy.
+// Boxes of whole cells: the cells of a rank, and the parts that other ranks copy.
 #pragma once
 #include <algorithm>
 
@@ -36,8 +36,8 @@ inline CellBox common(const CellBox& a, const CellBox& b) {
   return c;
 }
 
-/// Returns true if the 26 cells around `cell`, itself in the box, are all in the box and no periodic image
-/// touches it.
+/// Returns true if the 26 cells around `cell` are all in the box and no periodic image touches `cell`.
+/// Requires: `cell` is in the box.
 inline bool innerCell(const CellGrid& grid, const CellBox& box, const Vec3i& cell) {
   for (int a = 0; a < 3; a++) {
     const bool low = cell[a] > box.min[a] || (box.min[a] == 0 && !grid.periodic[a]);

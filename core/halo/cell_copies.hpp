@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Copies of cells of another rank, or of periodic images: their cells, rows and packed columns. The MPI halo
-// and the serial halo use them.
+// Copies of the cells of another rank, or of periodic images: their keys, rows and packed columns. Both the
+// MPI halo and the serial halo use this file.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -24,13 +24,13 @@ struct RowRun {
   Vec3i shift;
 };
 
-/// All copies of one owner for one receiver. listCopies renews cells and rows; links are constant until the
-/// boxes change.
+/// All copies from one owner for one receiver. listCopies updates cells and rows. The links are constant
+/// until the boxes change.
 struct CellCopies {
   std::vector<ImageLink> links;
   std::vector<std::uint64_t> keys;    ///< keys of the cells at the receiver
   std::vector<std::uint32_t> counts;  ///< number of rows of each cell
-  std::vector<RowRun> runs;           ///< rows of all these cells, in order
+  std::vector<RowRun> runs;           ///< rows of all copied cells, in order
   std::size_t rows = 0;
 };
 
@@ -38,8 +38,8 @@ struct CellCopies {
 /// own image.
 void checkPeriodicCells(const CellGrid& grid);
 
-/// Returns the parts of `owner` that touch `receiver`, periodic images included. same: both are one rank,
-/// which needs images only.
+/// Returns the parts of `owner` that touch `receiver`, periodic images included. same: owner and receiver are
+/// the same rank, which needs only periodic images.
 std::vector<ImageLink> imageLinks(const CellGrid& grid, const CellBox& owner, const CellBox& receiver,
                                   bool same);
 
@@ -57,15 +57,16 @@ void chooseColumns(std::span<AnyColumn* const> columns, std::vector<AnyColumn*>&
 /// Returns the bytes of one row in these columns.
 std::size_t bytesOfColumns(std::span<AnyColumn* const> columns);
 
-/// Writes the copied rows column by column to `to` (rows * bytesOfColumns). "position" is shifted by the
-/// period.
+/// Writes the copied rows column by column to `to` (rows * bytesOfColumns bytes). The column "position" is
+/// shifted by the period.
 void packColumns(const CellGrid& grid, const CellCopies& copies, std::span<AnyColumn* const> columns,
                  std::byte* to);
 /// Reads the output of packColumns into rows [first, first + count).
 void unpackColumns(std::span<AnyColumn* const> columns, std::size_t first, std::size_t count,
                    const std::byte* from);
 
-/// Moves ghost cells appended behind the owned ones to their positions in key order. Buffers are reused.
+/// Moves ghost cells, which were appended behind the owned cells, to their positions in key order. Buffers
+/// are reused.
 class GhostCellMerge {
  public:
   void merge(CellTable& cells);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Exchanges as handles: `auto ghosts = refresh(...); …; ghosts.wait();`. The sums of inner particles run
-// between the two.
+// between these two calls.
 #pragma once
 #include <utility>
 
@@ -8,8 +8,8 @@
 
 namespace thaw {
 
-/// An exchange in flight. Copies are valid after wait(), which must be called before the handle is destroyed
-/// or overwritten. A default-made handle has nothing in flight.
+/// An exchange in flight. Copies are valid after wait(). Call wait() before the handle is destroyed or
+/// overwritten. A default-constructed handle has nothing in flight.
 class [[nodiscard]] Exchange {
  public:
   Exchange() = default;
@@ -20,7 +20,7 @@ class [[nodiscard]] Exchange {
     return *this;
   }
 
-  /// Returns when the copies are here; at once if nothing is in flight. Collective.
+  /// Blocks until the copies have arrived. Returns at once if nothing is in flight. Collective.
   void wait() {
     if (finish_) std::exchange(finish_, nullptr)(*this);
   }
@@ -56,8 +56,8 @@ class [[nodiscard]] Exchange {
 /// Sends copies of the particles in surrounding cells (CellHalo::beginGhosts). Collective.
 Exchange sendGhosts(CellHalo& halo, Table& rows, CellTable& cells, std::span<AnyColumn* const> columns);
 
-/// Sends these columns of the same ghosts again (CellHalo::beginRefresh). One refresh of a halo may be in
-/// flight. Collective.
+/// Sends these columns to the existing ghosts again (CellHalo::beginRefresh). At most one refresh per halo
+/// may be in flight. Collective.
 Exchange refresh(CellHalo& halo, Table& rows, std::span<AnyColumn* const> columns);
 
 /// Sends columns of solids to the remote ends of bonds (BondHalo::begin). Collective.

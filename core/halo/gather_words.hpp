@@ -8,11 +8,11 @@
 
 namespace thaw {
 
-/// Returns the words of all ranks in rank order. For lists that are short in total (a few words a component).
-/// Collective.
+/// Returns the words of all ranks in rank order. Use it only for lists that are short in total (a few words
+/// per component). Collective.
 std::vector<std::uint64_t> gatherWords(Reducer& all, const std::vector<std::uint64_t>& mine);
 
-/// Numbers of words: on lower ranks, and on all ranks.
+/// Number of words on lower ranks, and on all ranks.
 struct WordNumbers {
   std::size_t before = 0, total = 0;
 };

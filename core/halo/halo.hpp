@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Interface of the time step to other ranks. Physics includes this and never mpi.h. parallel/ implements it
-// over MPI; tests and single-process tools use the serial implementation (serial.hpp).
+// Interface of the time step to other ranks. Physics code includes this file and never mpi.h. parallel/
+// implements it over MPI; tests and single-process tools use the serial implementation (serial.hpp).
 #pragma once
 #include <cstdint>
 #include <span>
@@ -21,8 +21,8 @@ class Reducer {
   virtual ~Reducer() = default;
   virtual int rank() const = 0;
   virtual int size() const = 0;
-  virtual void maximum(std::span<double> values) = 0;  ///< element-wise over ranks; minima: maxima of negated
-                                                       ///< values
+  virtual void maximum(std::span<double> values) = 0;    ///< element-wise over ranks; for minima, reduce
+                                                         ///< negated values
   virtual void sum(std::span<std::int64_t> values) = 0;  ///< element-wise over ranks
   /// Sends each list to its rank, at most one per rank; returns the received lists, ascending by rank.
   /// Collective.
@@ -37,33 +37,33 @@ class CellHalo {
   /// Returns the size of the message buffers in bytes.
   virtual std::size_t bufferBytes() const { return 0; }
 
-  /// Sends particles in cells of other ranks to these ranks. keys[row]: cell key of each owned row, or
-  /// noCell. Collective. Ensures: ghosts are dropped, arrivals appended (particles.owned grows), departed
-  /// rows listed and still in place. Arrivals have their State columns; Local and Transient columns are zero
-  /// (solidIndex: noSolid), so the caller computes their cell keys before the sort.
+  /// Sends particles in cells of other ranks to the owners of these cells. keys[row]: cell key of each owned
+  /// row, or noCell. Collective. Ensures: ghosts are dropped, arrivals appended (particles.owned grows),
+  /// departed rows listed and still in place. Arrivals have their State columns; Local and Transient columns
+  /// are zero (solidIndex: noSolid), so the caller computes their cell keys before the sort.
   virtual Migration migrate(Table& particles, std::span<const std::uint64_t> keys) = 0;
 
   /// Copies all particles in the cells that touch this rank's cells, periodic images included. Requires:
   /// particles sorted by (cell, id), and `cells` of the owned ones. begin starts the exchange of these
   /// columns; finish appends the ghost rows and merges the ghost cells into `cells`, ascending by key. A
   /// periodic image has a cell key outside of the domain, and its column "position" (if sent) is shifted by
-  /// the period. In between, owned rows may be read but no rows added.
+  /// the period. Between begin and finish, owned rows may be read, but no rows may be added.
   virtual void beginGhosts(Table& particles, const CellTable& cells, std::span<AnyColumn* const> columns) = 0;
   virtual void finishGhosts(Table& particles, CellTable& cells) = 0;
 
-  /// Sends these columns of the same ghosts again. Requires: owned rows of the columns do not change between
-  /// begin and finish.
+  /// Sends these columns to the existing ghosts again. Requires: owned rows of the columns do not change
+  /// between begin and finish.
   virtual void beginRefresh(Table& particles, std::span<AnyColumn* const> columns) = 0;
   virtual void finishRefresh(Table& particles) = 0;
 
   /// Assigns new owners to cells by weighted recursive bisection over the occupied cells. cost[c] > 0, in any
-  /// unit, belongs to owned cell c, in order, also in a table with merged ghost cells. Without `force` it
-  /// does nothing and returns false unless the imbalance exceeds a threshold and the gain is worth the
-  /// migration. After true, the next migrate moves the particles. Collective.
+  /// unit, belongs to owned cell c, in order, also in a table with merged ghost cells. Without `force`, cells
+  /// get new owners only if the imbalance exceeds a threshold and the gain is worth the migration. Returns
+  /// true if owners changed; the next migrate then moves the particles. Collective.
   virtual bool rebalance(const CellTable& ownedCells, std::span<const double> cost, bool force) = 0;
 
-  /// Adopts the cell ownership of another halo over the same grid; the next migrate moves the particles. Not
-  /// collective, but all ranks call it or none.
+  /// Adopts the cell ownership of another halo over the same grid; the next migrate moves the particles. It
+  /// does not communicate, but either all ranks or none must call it.
   virtual void follow(const CellHalo& leader) = 0;
 
   /// Returns true if this rank owns the cell. Every cell of the grid has exactly one owner.
@@ -73,8 +73,9 @@ class CellHalo {
   virtual bool inner(std::uint64_t key) const = 0;
 };
 
-/// View of the table whose rows bonds connect: vertices of sheets, or continuum particles, some of them
-/// solid. It holds raw pointers, so it is made for each call: a reorder moves the columns.
+/// View of the table whose rows are connected by bonds: vertices of sheets, or continuum particles, some of
+/// which are solid. Make a new view for each call, since a reorder moves the columns and invalidates the
+/// pointers.
 struct BondedRows {
   std::size_t owned = 0;
   bool active = false;  ///< the table has solid indices
@@ -107,49 +108,52 @@ struct BondRequest {
   Vec3d reference;  ///< X_ij, m, in this end's frame
   Vec3d reverse;    ///< X_ji, m, in the other end's frame (-X_ij unless the frames differ)
   double weight;
-  std::uint32_t other = noSolid;  ///< index of the other end if it is owned here and known to the caller;
-                                  ///< saves the look-up
+  std::uint32_t other = noSolid;  ///< index of the other end if it is owned here and the caller has it; saves
+                                  ///< the look-up
 };
 
-/// A bond to make where bonds have no vectors (Bonds::vectors). A scene makes all its bonds at once, and this
-/// takes a fifth of the bytes.
+/// A bond to make if bonds have no vectors (Bonds::vectors). Such scenes make all bonds at once, and a pair
+/// takes a fifth of the bytes of a BondRequest.
 struct BondPair {
   std::uint64_t neighbourId;
   std::uint32_t solidIndex, other = noSolid;
 };
 
-/// Work of a bond update beyond the changes visible in the tables.
+/// Changes for a bond update that are not visible in the tables.
 struct BondUpdate {
   std::span<const BondRequest> requests;  ///< bonds to make, appended to those of their solids in this order
   bool changedHere = false;  ///< on this rank, a particle's phase changed or a solid particle left the
                              ///< domain
   std::span<const BondPair> pairs = {};  ///< further bonds, appended behind the requests; only if bonds have
                                          ///< no vectors
-  int mostToCome = 0;             ///< upper bound of bonds per solid after all parts of a start; 0: unknown
-  std::size_t remotesToCome = 0;  ///< upper bound of remote rows of all parts of a start; 0: unknown
+  int mostToCome = 0;             ///< upper bound of bonds per solid after all parts of the initial bonds; 0:
+                                  ///< unknown
+  std::size_t remotesToCome = 0;  ///< upper bound of remote rows after all parts of the initial bonds; 0:
+                                  ///< unknown
 
   bool asks() const { return !requests.empty() || !pairs.empty(); }
 };
 
-/// Bonds over ranks: follows solid particles in migration, and exchanges fields along bonds. Keeps a copy
-/// ("remote row") of every solid particle that is bonded to an owned one, at any distance.
+/// Bonds across ranks. It migrates bonds with their solid particles and exchanges fields along bonds. It
+/// keeps a copy ("remote row") of every solid particle of another rank that is bonded to an owned one, at any
+/// distance.
 class BondHalo {
  public:
   virtual ~BondHalo() = default;
 
-  /// Sends the rows of solids and the bonds of departed particles to their new ranks. Requires: called after
+  /// Sends the rows of solids and the bonds of departed particles to their new ranks. Call it after
   /// CellHalo::migrate and before particles are reordered. The tables change at the next bond update.
   /// Collective.
   virtual void migrate(const BondedRows& particles, Solids& solids, Bonds& bonds,
                        const Migration& migration) = 0;
 
-  /// Updates the table of solids to match the particles. Solid owned particles without a row get one, with
-  /// the bonds from their former rank, else none. Solids of liquid or departed particles are removed with all
-  /// bonds to them on every rank. Requests become bonds, unless the neighbour is no longer solid. Remote rows
-  /// are renewed and rows renumbered; BondedRows::solidIndex and Solids::particle follow. Newly solid
-  /// particles have volume 0, which the caller sets. Remote rows then have their id only. Requires: sorted
-  /// particles without departed rows, whose phase changed at most once since the last bond update.
-  /// Collective. Returns false at once if nothing changed on any rank.
+  /// Updates the table of solids to match the particles. Owned solid particles without a row get one, with
+  /// the bonds from their former rank if they migrated. Solids of liquid or departed particles are removed,
+  /// with all bonds to them on every rank. Requests become bonds, unless the neighbour is no longer solid.
+  /// Remote rows are renewed and rows renumbered; BondedRows::solidIndex and Solids::particle follow. Newly
+  /// solid particles have volume 0; the caller sets their volume. Remote rows then contain only the id.
+  /// Requires: sorted particles without departed rows, whose phase changed at most once since the last bond
+  /// update. Collective. Returns false at once if nothing changed on any rank.
   virtual bool rebuildBonds(const BondedRows& particles, Solids& solids, Bonds& bonds,
                             const BondUpdate& work) = 0;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Halos of a single process: periodic images of its own cells. For tests and tools without MPI.
+// Halos of a single process, for tests and tools without MPI. Ghosts are periodic images of its own cells.
 #pragma once
 #include "core/halo/cell_copies.hpp"
 #include "core/halo/halo.hpp"

@@ -7,7 +7,8 @@
 namespace thaw {
 namespace {
 
-/// Gives each set the smallest label of its rows here. Returns true if a label of an owned row changed.
+/// Sets the label of each set to the smallest label of its rows on this rank. Returns true if a label of an
+/// owned row changed.
 bool spreadHere(std::span<std::uint64_t> labels, std::size_t owned, DisjointSets& sets) {
   const std::size_t rows = sets.parent.size();
   std::vector<std::uint64_t> least(rows, ~std::uint64_t{0});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Labels of connected sets of rows that lie on several ranks.
+// Labels of connected sets of rows that may extend over several ranks.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -12,9 +12,9 @@ namespace thaw {
 
 inline constexpr std::uint64_t noSet = 0;  ///< label of rows that are in no set
 
-/// Sets the label of each connected set to its smallest label, on all ranks. Sets are over the owned rows and
-/// the copies of other ranks' rows; rows labelled noSet are in none. labels: of all rows of the sets, owned
-/// ones first. exchange: sends the labels to the copies. Collective.
+/// Sets the label of each connected set to its smallest label, on all ranks. Sets contain owned rows and
+/// copies of other ranks' rows. Rows labelled noSet are in no set. labels: by row, owned rows first.
+/// exchange: sends the labels to the copies. Collective.
 void spreadLabels(std::span<std::uint64_t> labels, std::size_t owned, DisjointSets& sets, Reducer& all,
                   const std::function<void()>& exchange);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lists of 64-bit words between arbitrary ranks, for exchanges that follow from positions and not from the
-// neighbourhood of ranks.
+// Lists of 64-bit words between arbitrary ranks, for exchanges that depend on positions and not on
+// neighbouring ranks.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -48,7 +48,7 @@ inline Vec3d placeAt(const std::vector<std::uint64_t>& words, std::size_t k) {
   return {numberAt(words, k), numberAt(words, k + 1), numberAt(words, k + 2)};
 }
 
-/// Appends an object of whole words.
+/// Appends an object whose size is a whole number of words.
 template<class T> void addWords(std::vector<std::uint64_t>& words, const T& x) {
   static_assert(sizeof(T) % sizeof(std::uint64_t) == 0);
   const auto bits = std::bit_cast<std::array<std::uint64_t, sizeof(T) / sizeof(std::uint64_t)>>(x);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Smoothing kernels in 3D in units of the support radius: q = r / h, zero for q >= 1. T is double or
+// Smoothing kernels in 3D in units of the support radius: q = r / h. They are zero for q >= 1. T is double or
 // Lanes<Real>. Each takes q and its square; an unused argument costs nothing.
 //   w(q)       W   = w(q) / h^3
 //   slope(q)   grad W = slope(q) * x_hat_q / h^4 with x in units of h: slope = w'(q) / q, negative
 //   laplace(q) kernel of the Laplacian of a field, sum_j V_j (a_j - a_i) laplace(q) / h^5; see each kernel
-// Code for one instruction set includes this only through the namespace of lanes.hpp.
+// Code that is compiled per instruction set includes this only through the namespace of lanes.hpp.
 #pragma once
 #include <cmath>
 #include <numbers>
@@ -21,7 +21,7 @@ THAW_INLINE double fma(double a, double b, double c) { return __builtin_fma(a, b
 
 using std::numbers::pi;
 
-/// Overloads that take the square alone.
+/// Adds overloads that take only the square q^2.
 template<class Kernel> struct OfSquare {
   template<class T> static THAW_INLINE T w(T q2) { return Kernel::w(sqrt(q2), q2); }
   template<class T> static THAW_INLINE T slope(T q2) { return Kernel::slope(sqrt(q2), q2); }

@@ -14,7 +14,7 @@ namespace {
 
 using isa_base::pi;
 
-/// Calls action(d, q2) for every neighbour on the lattice; d in support radii.
+/// Calls action(d, q2) for every neighbour on the lattice; d is the distance vector in support radii.
 template<class Action> void overNeighbours(double support, Action action) {
   const int n = static_cast<int>(support) + 1;
   for (int x = -n; x <= n; x++)
@@ -86,8 +86,8 @@ template<class Action> void overSliding(double support, int diagonal, int shears
 
 /// Returns the effective over the nominal viscosity of sliding layers on a cubic lattice, averaged over the
 /// sheared lattices of a period. Layers slide along their axes if diagonal = 0, along their diagonals if
-/// diagonal = 1. Flow shears the lattice, and the values at rest differ: 1.06 and 0.89 at rest, 0.995 and
-/// 0.993 sliding, at h = 2 dx with the continuum scale.
+/// diagonal = 1. At h = 2 dx with the continuum scale, the values are 0.995 and 0.993 for sliding layers, but
+/// 1.06 and 0.89 at rest.
 double slidingViscosity(const Numerics& n, const ViscousWeight& weight, int diagonal) {
   constexpr int shears = 32;
   double sum = 0;
@@ -126,8 +126,8 @@ double slidingLatticeSum(const Numerics& n) {
 
 namespace {
 
-/// Sums of squared kernel slopes (h^-8, unit lattice volumes): for a single pressure, and the largest for a
-/// plane wave of pressures.
+/// Sums of squared kernel slopes (h^-8, unit lattice volumes) for a single pressure, and their maximum over
+/// plane waves of pressure.
 struct PressureResponse {
   double diagonal = 0, largest = 0;
 };

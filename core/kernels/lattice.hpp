@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Neighbour sums on the cubic lattice of the scene's spacing, which normalise sums and give stability limits.
+// Neighbour sums on the cubic lattice of the scene's spacing. They normalise other sums and give stability
+// limits.
 #pragma once
 #include "core/kernels/viscous_weight.hpp"
 #include "core/scene/scene.hpp"
@@ -24,8 +25,8 @@ double latticeLaplacian(const Numerics& numerics);
 double conductionScale(const Numerics& numerics);
 
 /// Weight of the pairwise viscosity for the scene's support, such that sliding layers of the lattice have the
-/// scene's viscosity. It has no second parameter for the lattice at rest, since flow leaves that lattice and
-/// would be 4 % too fast at h = 2 dx (benchmark poiseuille).
+/// scene's viscosity. The weight is not fitted to the lattice at rest: particles leave that lattice as they
+/// flow, and the flow would be 4 % too fast at h = 2 dx (benchmark poiseuille).
 ViscousWeight viscousWeight(const Numerics& numerics);
 
 /// Largest sum of V W while layers of the lattice slide along their axes or diagonals; at least latticeSum.
@@ -43,8 +44,8 @@ double stableViscousStep(const Numerics& numerics);
 /// Largest stable dt alpha / h^2 of heat conduction; alpha diffusivity.
 double stableHeatStep(const Numerics& numerics);
 
-/// Largest response of the incompressible solver's sums to a plane wave of pressures on the lattice, over
-/// their diagonal (1). A Jacobi step of its inverse does not overshoot.
+/// Largest response of the incompressible solver's sums to a plane wave of pressures on the lattice, divided
+/// by the sums' diagonal (1). A Jacobi step of its inverse does not overshoot.
 double largestPressureResponse(const Numerics& numerics);
 
 /// Largest change of sum V W (1/h) under a plane wave of unit displacements on the lattice.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dispatch from the kernel of a scene to its type, for code that is compiled once.
+// Dispatch from a scene's kernel to its C++ type, for code that is compiled once.
 #pragma once
 #include "core/kernels/kernels.hpp"
 #include "core/scene/scene.hpp"

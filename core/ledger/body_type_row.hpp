@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ledger entries of a row of any body type besides the continuum.
+// Ledger entries of a row of any body type except the continuum.
 #pragma once
 #include "core/ledger/ledger.hpp"
 #include "core/particles/body_type_rows.hpp"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Enthalpy, temperature and liquid fraction of a material. Per mass, zero at the solidus (at 0 K for
-// materials that do not melt):
+// Enthalpy, temperature and liquid fraction of a material. The enthalpy H is per mass. It is zero at the
+// solidus, or at 0 K for materials that do not melt:
 //   H < 0            solid    T = solidus + H / c_solid
 //   0 <= H <= band   melting  T and the fraction f rise linearly with H,
 //                             T over [solidus, liquidus], f over [0, 1]
 //   above            liquid   T = liquidus + (H - band) / c_liquid
-// band = latent heat + mean heat capacity times (liquidus - solidus). Enthalpy as the state cannot skip the
-// latent heat, as an apparent heat capacity can (docs/theory/heat.md).
+// band = latent heat + mean heat capacity times (liquidus - solidus). The state variable is the enthalpy,
+// since a step cannot skip the latent heat then. With an apparent heat capacity it can (docs/theory/heat.md).
 #pragma once
 #include <algorithm>
 
@@ -34,8 +34,8 @@ inline Thermal thermalOf(const Material& m, double H) {
   return {m.liquidus + (H - band) / m.heatCapacity.liquid, 1};
 }
 
-/// Inverse of thermalOf. At a single melting temperature (solidus == liquidus) fractionAtMelting selects
-/// between 0 and 1.
+/// Enthalpy (J/kg) at a temperature T (K); the inverse of thermalOf. If solidus == liquidus,
+/// fractionAtMelting in [0, 1] gives the liquid fraction at that temperature.
 inline double enthalpyOf(const Material& m, double T, double fractionAtMelting = 0) {
   if (!m.melts()) return T * m.heatCapacity.at(restFraction(m));
   if (T < m.solidus) return (T - m.solidus) * m.heatCapacity.solid;
@@ -44,14 +44,15 @@ inline double enthalpyOf(const Material& m, double T, double fractionAtMelting =
   return meltingBand(m) * (width > 0 ? (T - m.solidus) / width : std::clamp(fractionAtMelting, 0.0, 1.0));
 }
 
-/// K05's plain model: the temperature is the state; the blend parameter follows from it.
+/// Blend parameter of K05's plain model, in which the temperature (K) is the state variable.
 inline double paperFraction(const Material& m, double T) {
   if (!m.melts()) return restFraction(m);
   const double width = m.liquidus - m.solidus;
   return width > 0 ? std::clamp((T - m.solidus) / width, 0.0, 1.0) : T >= m.solidus ? 1 : 0;
 }
 
-/// Enthalpy in the energy budget at a temperature (J/kg). K05's plain model has no latent heat: c T.
+/// Enthalpy (J/kg) in the energy budget at a temperature (K). In K05's plain model it is c T, without latent
+/// heat.
 inline double ledgerEnthalpy(HeatModel model, const Material& m, double T, double fractionAtMelting = 0) {
   return model == HeatModel::Paper ? m.heatCapacity.solid * T : enthalpyOf(m, T, fractionAtMelting);
 }

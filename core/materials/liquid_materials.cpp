@@ -19,16 +19,16 @@ double tensionSpeed(const Material& m, double spacing) {
   return std::sqrt(2 * m.surfaceTension / (m.density * spacing));
 }
 
-/// Returns the viscosity (Pa s) that damps the waves of a few spacings of tension by curvature: 0.1 rho u h,
-/// with the capillary speed of the spacing u = sqrt(gamma / (rho dx)), at most a tenth of the speed of sound.
-/// 0 with other forms of tension.
+/// Returns the viscosity (Pa s) that damps capillary waves of a few spacings in tension by curvature: 0.1 rho
+/// u h. The speed u is sqrt(gamma / (rho dx)), and at most a tenth of the speed of sound. 0 with other
+/// forms of tension.
 double surfaceDamping(const Scene& s, const Material& m, double soundSpeed) {
   if (s.numerics.tension != TensionForm::Curvature || !(m.surfaceTension > 0)) return 0;
   const double speed = std::sqrt(m.surfaceTension / (m.density * s.spacing));
   return 0.1 * m.density * std::min(speed, 0.1 * soundSpeed) * s.numerics.support * s.spacing;
 }
 
-constexpr double leastSpeed = 1e-3;  // m/s, if nothing moves
+constexpr double leastSpeed = 1e-3;  // m/s, expected speed if nothing moves
 
 }  // namespace
 

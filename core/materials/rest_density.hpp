@@ -9,10 +9,10 @@
 
 namespace thaw {
 
-/// Density at rest (kg/m^3) that a particle of this phase and liquid fraction takes. A solid keeps the
-/// density of the solid until its phase changes, so bonds and rigid pieces keep their lengths. Solid and
-/// liquid parts of a liquid particle add their volumes: 1/rho = (1-f)/rho_s + f/rho_l. The fraction f counts
-/// from the hysteresis, at which the particle becomes a solid, so it then has the density of the solid.
+/// Density at rest (kg/m^3) of a particle with this phase and liquid fraction. A solid keeps its density
+/// until its phase changes, so bonds and rigid pieces keep their lengths. Solid and liquid parts of a liquid
+/// particle add their volumes: 1/rho = (1-f)/rho_s + f/rho_l. Here f is measured from the liquid fraction at
+/// which the particle freezes (hysteresis). A particle that freezes thus has the density of the solid.
 inline double targetRestDensity(const Material& m, Phase phase, double liquidFraction) {
   if (phase == Solid) return solidDensityOf(m);
   if (!hasPhaseDensities(m)) return m.density;

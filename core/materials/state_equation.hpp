@@ -21,8 +21,8 @@ inline double pressureOf(EquationOfState eos, double stiffness, double relativeD
   return p >= 0 ? p : tensileLimit * p;
 }
 
-/// Sound speed over that at rest, sqrt(dp/ddelta / c^2 rho0), under compression; else 1. The other part of
-/// the pairs' stiffness, p / delta, is smaller.
+/// Ratio of the sound speed to that at rest, sqrt(dp/ddelta / c^2 rho0), under compression; else 1. The term
+/// p / delta of the pairs' stiffness is smaller and is neglected.
 inline double soundSpeedFactor(EquationOfState eos, double relativeDensity) {
   return eos == EquationOfState::Tait && relativeDensity > 1
              ? relativeDensity * relativeDensity * relativeDensity

@@ -10,8 +10,8 @@ namespace thaw {
 namespace {
 
 constexpr int lowest = -1088;                              // exponent of digit 0
-constexpr std::int64_t notFinite = std::int64_t(1) << 40;  // in the last digit, which stays small for finite
-                                                           // sums
+constexpr std::int64_t notFinite = std::int64_t(1) << 40;  // value of the last digit that marks a non-finite
+                                                           // sum; the last digit of finite sums is small
 constexpr std::int64_t digitMask = 0xffffffff;
 
 }  // namespace
@@ -55,7 +55,7 @@ double ExactSum::value() const {
   int top = digits - 1;
   while (top >= 0 && s.digit[static_cast<std::size_t>(top)] == 0) top--;
   if (top < 0) return 0;
-  // Three digits hold more than 64 bits; lower digits only decide ties.
+  // Three digits have more than 64 bits. Lower digits only decide ties.
   unsigned __int128 head = 0;
   for (int k = top; k > top - 3; k--)
     head = head << 32 | static_cast<unsigned __int128>(k >= 0 ? s.digit[static_cast<std::size_t>(k)] : 0);

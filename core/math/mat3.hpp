@@ -39,7 +39,7 @@ template<class T> Mat3<T> transpose(const Mat3<T>& a) {
            {a.row[0].z, a.row[1].z, a.row[2].z}}};
 }
 template<class T> T determinant(const Mat3<T>& a) { return dot(a.row[0], cross(a.row[1], a.row[2])); }
-/// Inverse by cofactors. Requires: the determinant is not zero.
+/// Inverse by cofactors. Requires: a non-zero determinant.
 template<class T> Mat3<T> inverse(const Mat3<T>& a) {
   const Vec3<T> c0 = cross(a.row[1], a.row[2]), c1 = cross(a.row[2], a.row[0]),
                 c2 = cross(a.row[0], a.row[1]);

@@ -7,7 +7,7 @@
 
 namespace thaw {
 
-/// Returns the coordinate axis along which the size of n is smallest.
+/// Returns the coordinate axis along which the component of n is smallest in magnitude.
 inline Vec3d leastAxis(const Vec3d& n) {
   const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
   return x <= y && x <= z ? Vec3d{1, 0, 0} : y <= z ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vectors of the particle methods. T is double, float or Lanes<Real> (one particle per lane), so a formula is
-// written once for scalar and vector code.
+// Vectors of three components. T is double, float or Lanes<Real> (one particle per lane), so one formula
+// serves scalar and vector code.
 #pragma once
 #include <cmath>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cells of rows in any order.
+// Cells of rows that may be in any order.
 #pragma once
 #include "core/neighbours/grid.hpp"
 
 namespace thaw {
 
-/// Lists the runs of owned rows with equal nextCell: the occupied cells if rows are sorted. Otherwise a cell
-/// may appear several times, and cells are in any order.
+/// Lists the runs of owned rows with equal nextCell. If rows are sorted, these are the occupied cells.
+/// Otherwise a cell may appear several times, and cells are in any order.
 template<class Rows> void listCells(const Rows& rows, CellTable& cells);
 
 }  // namespace thaw

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cells around which the solids have different values, such as bodies.
+// Cells around which the solids have different values, such as different bodies.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace thaw {
 
-/// Smallest and largest value of the solids in a cell.
+/// Smallest and largest value over the solids in a cell.
 struct SolidRange {
   std::uint64_t low = ~std::uint64_t{0}, high = 0;
   void add(const SolidRange& o) { low = std::min(low, o.low), high = std::max(high, o.high); }
@@ -25,7 +25,7 @@ struct MixedCells {
   std::vector<RowSpan> rows;       ///< temporary
 };
 
-/// Finds the ranges of the values of solids, by cell.
+/// Finds the range of the solids' values in each cell.
 template<class Value>
 void rangesOfCells(const CellTable& cells, const Continuum& p, const Column<Value>& values,
                    std::vector<SolidRange>& ranges) {
@@ -55,8 +55,8 @@ inline SolidRange rangeAround(const CellTable& cells, std::span<const SolidRange
   return around;
 }
 
-/// Calls use(cell, rows around it) for cells of owned rows around which solids have different values, until
-/// it returns true. Returns true if it did.
+/// Calls use(cell, rows around it) for cells of owned rows around which solids have different values. Stops
+/// and returns true when a call returns true.
 template<class Use>
 bool anyMixedCell(const CellTable& cells, std::size_t owned, MixedCells& mixed, const Use& use) {
   if (!anyMixed(mixed.ranges)) return false;

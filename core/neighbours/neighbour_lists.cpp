@@ -7,7 +7,8 @@ namespace thaw {
 
 void clearLists(NeighbourLists& lists, std::uint32_t owned, std::uint32_t dummy) {
   const std::size_t groups = owned / 8 + 2;
-  const auto fit = [](auto& v, std::size_t n) {  // exact; the vector itself would double
+  const auto fit = [](auto& v, std::size_t n) {  // allocates exactly n; growth of the vector itself would
+                                                 // double its capacity
     makeRoom(v, n);
     v.resize(n);
   };
@@ -21,7 +22,8 @@ void clearLists(NeighbourLists& lists, std::uint32_t owned, std::uint32_t dummy)
 }
 
 void growList(NeighbourLists& lists, std::size_t n) {
-  // Estimate for all groups from those so far; the vector itself would double.
+  // Estimates the size for all groups from the groups so far. Growth of the vector itself would double its
+  // capacity.
   const std::size_t all = lists.self.size() / 8, done = lists.groups + 1;
   const std::size_t room = done < all / 8
                                ? 3 * n

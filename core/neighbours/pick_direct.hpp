@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Neighbours of one particle read directly from the surrounding rows, without copying candidates. It needs
+// Neighbours of one particle, found directly in the surrounding rows without copying candidates. It needs
 // AVX2, or AVX-512 with VBMI2 (Ice Lake, Zen 4 and later). Only code for one instruction set includes this.
 #pragma once
 #include <array>
@@ -12,7 +12,7 @@ namespace THAW_ISA {
 namespace {
 
 /// Bound of the squared coarse distance, summed over the axes without the low 16 bits. Lower values are
-/// within the support radius or up to 0.0006 of it beyond, where kernels are zero.
+/// within the support radius h, or at most 0.0006 h beyond it, where kernels are zero.
 constexpr int reach2 = 4097;
 
 #if defined(__AVX512BW__)
@@ -68,8 +68,8 @@ constexpr std::array<std::uint64_t, 256> makePlaces() {
 }
 inline constexpr std::array<std::uint64_t, 256> packedPlaces = makePlaces();
 
-/// Packs the neighbours as the version with AVX-512 does. Each store of eight gets its address from the start
-/// of the round, so stores do not depend on each other.
+/// Packs the neighbours like the AVX-512 version. The address of each store of eight is computed from the
+/// start of the round, so stores do not depend on each other.
 std::uint32_t pickDirect(const SearchInput& in, const SearchRound* rounds, std::uint32_t count,
                          std::uint32_t self, std::uint32_t* out) {
   const std::uint16_t *const x = in.x, *const y = in.y, *const z = in.z;

@@ -27,7 +27,7 @@ inline void rowsAround(const CellTable& t, std::uint64_t key, std::vector<RowSpa
 }
 
 /// Calls use(i, ranges) for each owned row i of one table for which wanted(i) is true, with the rows of the
-/// other table in the surrounding cells. These are listed only for cells with such a row.
+/// other table in the surrounding cells. The surrounding rows are listed only for cells with such a row i.
 template<class Wanted, class Use>
 void eachSurrounded(const CellTable& own, std::size_t owned, const CellTable& others, Wanted&& wanted,
                     Use&& use) {

@@ -9,7 +9,7 @@
 
 namespace thaw {
 
-/// Up to 32 consecutive rows of the cells around a cell.
+/// Up to 32 consecutive rows in the cells around a cell.
 struct SearchRound {
   std::uint32_t first, count;
   std::uint32_t entry;  ///< entry of the first row (NeighbourLists)
@@ -18,11 +18,11 @@ struct SearchRound {
 
 /// Buffers of a search, reused in each step.
 struct SearchBuffers {
-  AlignedVector<std::uint16_t> x, y, z;  ///< candidates around a cell, as in SearchInput
-  AlignedVector<std::uint32_t> entry;    ///< entries of their rows (NeighbourLists)
-  AlignedVector<SearchRound> rounds;     ///< rounds of the cells around a cell
-  static constexpr int window = 32;      ///< number of lists that are grouped by length, so that groups need
-                                         ///< little padding
+  AlignedVector<std::uint16_t> x, y, z;        ///< candidates around a cell, as in SearchInput
+  AlignedVector<std::uint32_t> entry;          ///< entries of their rows (NeighbourLists)
+  AlignedVector<SearchRound> rounds;           ///< rounds of the cells around a cell
+  static constexpr int window = 32;            ///< number of lists that are sorted by length before grouping,
+                                               ///< so that groups need little padding
   AlignedVector<std::uint32_t> found[window];  ///< neighbours of the particles in the window
   std::uint32_t length[window]{};
   std::uint32_t self[window]{};
@@ -32,13 +32,14 @@ struct SearchBuffers {
 
 /// Makes room for n candidates around one cell.
 void growSearch(SearchBuffers& buffers, std::size_t n);
-/// Doubles the number of rounds; 64 at first.
+/// Doubles the number of rounds, starting from 64.
 void growRounds(SearchBuffers& buffers);
 
-/// Positions of the candidates in 2^-14 support radii, modulo 4 support radii. Positions in touching cells
-/// stay unique, except for pairs so far apart that their kernels are zero (coarsePosition, grid.hpp).
+/// Positions of the candidates in 2^-14 support radii, modulo 4 support radii. Differences of positions in
+/// touching cells are unique, except for distances at which kernels are zero (coarsePosition, grid.hpp).
 struct SearchInput {
-  const std::uint16_t *x = nullptr, *y = nullptr, *z = nullptr;  ///< by row; 32 more may be read
+  const std::uint16_t *x = nullptr, *y = nullptr, *z = nullptr;  ///< by row; up to 32 further values may be
+                                                                 ///< read
   const CellTable* cells = nullptr;                              ///< ascending by key, owned and ghost cells
   const std::uint8_t* inner = nullptr;                           ///< per cell: 1 if its sums need no ghosts
   const std::uint8_t* liquid = nullptr;  ///< per cell: 1 if it contains liquid; nullptr: all cells do
@@ -51,9 +52,9 @@ inline constexpr std::uint8_t skippedCell = 2;
 /// Part of the owned cells that a search covers.
 enum class Part { Inner, Boundary };
 
-/// PairKernels::search is in search_isa.cpp. It appends lists for the owned particles of the cells selected
-/// by inner[c], one byte per cell of input.cells: first Part::Inner, which starts new lists, then
-/// Part::Boundary. Neighbours are ordered by cell (z, y, x ascending) and by id within a cell: the same on
+/// PairKernels::search is in search_isa.cpp. It appends lists for the owned particles of the cells that
+/// inner[c] selects, one byte per cell of input.cells. Call it first for Part::Inner, which starts new lists,
+/// then for Part::Boundary. Neighbours are ordered by cell (z, y, x ascending) and by id within a cell, on
 /// any number of ranks.
 
 }  // namespace thaw

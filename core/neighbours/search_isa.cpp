@@ -10,13 +10,13 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// A row of three cells along x: keys from `low` on, found by a pointer that only advances.
+/// A row of three cells along x. Their position in the table is found by an index that only advances.
 struct CellRow {
   std::uint64_t offset = 0;  // key offset, two's complement
   std::size_t at = 0;
 };
 
-/// Lists the candidates within the support radius of candidate `self`, without itself; returns their number.
+/// Lists the candidates within the support radius of candidate `self`, except itself. Returns their number.
 /// It writes up to 15 entries more.
 std::uint32_t pick(const SearchBuffers& b, std::uint32_t candidates, std::uint32_t self, std::uint32_t* out) {
   const std::uint16_t *x = b.x.data(), *y = b.y.data(), *z = b.z.data();
@@ -112,7 +112,7 @@ THAW_INLINE void transpose8(std::uint32_t* const from[8], std::uint32_t k, std::
 constexpr std::size_t beyondCaches = std::size_t(64) << 20;  // bytes
 
 /// Interleaves these lists of the window into a group of lists.list. It writes up to seven rows of eight
-/// behind the group.
+/// entries beyond the group.
 void closeGroup(SearchBuffers& b, const std::uint32_t* which, int filled, NeighbourLists& lists) {
   std::uint32_t most = 0;
   for (int l = 0; l < filled; l++) most = most < b.length[which[l]] ? b.length[which[l]] : most;
@@ -148,11 +148,12 @@ void closeGroup(SearchBuffers& b, const std::uint32_t* which, int filled, Neighb
   lists.groups++;
 }
 
-/// Groups the lists in the window: groups with liquid first, then by similar length. Grouping changes no sum.
+/// Groups the lists in the window, lists with liquid first, then by similar length. Grouping does not affect
+/// sums.
 void closeWindow(SearchBuffers& b, NeighbourLists& lists) {
   constexpr int n = SearchBuffers::window;
   alignas(32) std::int32_t key[n], rank[n];
-  for (int k = 0; k < n; k++)  // keys are unique through the number of the list
+  for (int k = 0; k < n; k++)  // keys are unique, since they contain the number of the list
     key[k] = k < b.filled
                  ? (b.fluid[k] ? 1 << 30 : 0) |
                        static_cast<std::int32_t>(b.length[k] < 0x3fffff ? b.length[k] : 0x3fffff) << 8 | k
@@ -169,8 +170,8 @@ void closeWindow(SearchBuffers& b, NeighbourLists& lists) {
   b.filled = 0;
 }
 
-/// Appends the rows of a round to the candidates. It reads and writes up to 31 entries more, which later ones
-/// overwrite.
+/// Appends the rows of a round to the candidates. It reads and writes up to 31 further entries, which later
+/// candidates overwrite.
 THAW_INLINE std::uint32_t addCandidates(const SearchInput& in, const SearchRound& round, SearchBuffers& b,
                                         std::uint32_t candidates) {
   for (std::uint32_t k = 0; k < round.count; k += 16) {
@@ -211,7 +212,7 @@ THAW_INLINE Surroundings findSurroundings(const SearchInput& in, std::size_t c, 
   const std::uint64_t key = keys[c];
   Surroundings s{};
   s.fluid = in.liquid == nullptr;
-  const auto ownIsIn = [&](std::size_t d) {  // for the run that starts with cell d and is added next
+  const auto ownIsIn = [&](std::size_t d) {  // called before the run that starts with cell d is added
     s.ownRound = s.rounds;
     s.ownPlace = first[c] - first[d];
     s.ownStart = s.candidates + s.ownPlace;

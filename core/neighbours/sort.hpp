@@ -24,7 +24,6 @@ struct SortBuffers {
 /// Computes the cell keys of rows [begin, end) into particles.nextCell.
 /// Rows: a table with columns id, position, cell and nextCell (Continuum, Surfels, SurfaceParticles,
 /// BodyTypeRows).
-/// BodyTypeRows).
 template<class Rows>
 void computeCellKeys(const CellGrid& grid, Rows& particles, std::size_t begin, std::size_t end);
 template<class Rows> void computeCellKeys(const CellGrid& grid, Rows& particles) {
@@ -32,15 +31,15 @@ template<class Rows> void computeCellKeys(const CellGrid& grid, Rows& particles)
 }
 
 /// Sorts the owned rows by (cell, id) and drops departed rows. Only rows that changed their cell are sorted;
-/// the others are merged. Requires: nextCell of all owned rows, and ascending cell of the rows present at the
-/// last sort. Ensures: cell equals the former nextCell, ascending, with ascending ids within a cell; no
+/// the others are merged. Requires: nextCell of all owned rows, and ascending cells of the rows present at
+/// the last sort. Ensures: cell equals the former nextCell, ascending, with ascending ids within a cell; no
 /// ghosts; `cells` lists the occupied cells. nextCell and the stale columns are undefined until they are
-/// written.
+/// written again.
 template<class Rows>
 void sortByCell(Rows& particles, const Migration& migration, SortBuffers& buffers, CellTable& cells,
                 std::span<AnyColumn* const> stale = {});
 
-/// Drops the departed rows if the order does not matter: the last rows fill the gaps. Moved and arrived rows
+/// Drops the departed rows if the order does not matter. The last rows fill the gaps. Moved and arrived rows
 /// get noCell as their last cell, so the next sort moves them.
 void closeGaps(Continuum& particles, const Migration& migration);
 

@@ -27,7 +27,8 @@ void listMoves(SortBuffers& b, std::size_t stayed);
 /// Releases the memory that only a sort of most rows needs.
 void shrink(SortBuffers& b);
 
-/// Finds the rows that leave their position and the rows with a new one. It marks departed rows in nextCell.
+/// Finds the rows that leave their position and the rows that get a new position. It marks departed rows in
+/// nextCell.
 template<class Rows> void findMovers(Rows& p, const Migration& migration, SortBuffers& b) {
   const std::size_t stayed = p.owned - migration.arrivals;
   b.gone.clear();
@@ -77,9 +78,9 @@ void findPlaces(SortBuffers& b, std::size_t stayed, const std::uint64_t* next, c
   }
 }
 
-/// Computes the old row of each row, if many rows move.
+/// Computes the old row of each new row, for sorts that move many rows.
 template<class Before> void mergeAll(SortBuffers& b, std::size_t stayed, const Before& before) {
-  b.before.clear();  // reused: the rows that keep their order
+  b.before.clear();  // reused for the rows that keep their order
   for (std::size_t row = 0, gone = 0; row < stayed; row++) {
     if (gone < b.gone.size() && b.gone[gone] == row) gone++;
     else b.before.push_back(static_cast<std::uint32_t>(row));
@@ -97,12 +98,13 @@ template<class Rows> void listCells(const Rows& p, CellTable& cells) {
 template<class Rows>
 void sortByCell(Rows& p, const Migration& migration, SortBuffers& b, CellTable& cells,
                 std::span<AnyColumn* const> stale) {
-  constexpr std::size_t shortRun = 8;  // mean rows between moves; below it a gather of all columns is faster
+  constexpr std::size_t shortRun = 8;  // mean number of rows between moves; if it is smaller, a gather of all
+                                       // columns is faster
   const std::size_t stayed = p.owned - migration.arrivals;
   if (p.ghosts > 0) p.resize(p.owned, 0);
   sorting::findMovers(p, migration, b);
-  if (!b.movers.empty() || !b.gone.empty() || stayed != p.owned) {  // the last condition: arrivals departed
-                                                                    // at once
+  if (!b.movers.empty() || !b.gone.empty() || stayed != p.owned) {  // the last condition is for arrivals that
+                                                                    // departed at once
     const std::uint64_t *next = p.nextCell.data(), *id = p.id.data();
     const auto before = [&](std::uint32_t i, std::uint32_t j) {
       return next[i] != next[j] ? next[i] < next[j] : id[i] < id[j];

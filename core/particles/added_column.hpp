@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A field of particles that an extension declares (core/terms/extensions.hpp): State, of doubles.
+// A field of particles that an extension declares (core/terms/extensions.hpp). It is part of the state and
+// consists of doubles.
 #pragma once
 #include "core/particles/column.hpp"
 
@@ -7,9 +8,9 @@ namespace thaw {
 
 struct AddedColumn : AnyColumn {
   double start;  ///< value of all components in particles of bodies and emitters
-  bool ghosts;   ///< ghosts have it, for forces between particles
+  bool ghosts;   ///< true: ghosts have the field, for forces between particles
 
-  /// Adds an inactive column to a table. The texts must outlive it.
+  /// Adds an inactive column to a table. The texts must outlive the column.
   AddedColumn(Table& table, const char* name, const char* unit, const char* about, int components,
               double start, bool ghosts)
       : AnyColumn(table, name, unit, Keep::State, about, Scalar::F64, components,

@@ -24,7 +24,7 @@ std::align_val_t alignmentOf(std::size_t bytes) {
 void* allocateAligned(std::size_t bytes) {
   void* block = ::operator new(bytes, alignmentOf(bytes));
 #if defined(__linux__)
-  // This is a hint: a refusal changes nothing.
+  // This is only a hint, so the result is not checked.
   if (bytes >= largePage) madvise(block, bytes / largePage * largePage, MADV_HUGEPAGE);
 #endif
   return block;

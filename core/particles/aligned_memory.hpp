@@ -9,17 +9,17 @@
 namespace thaw {
 
 /// Returns memory aligned to a cache line. Blocks of several MB are aligned to large pages, and the kernel is
-/// advised to use these. With 4 kB pages, TLB misses cost several per cent of a step over a million
-/// particles.
+/// advised to use large pages for them. With 4 kB pages, TLB misses take several per cent of a step with a
+/// million particles.
 void* allocateAligned(std::size_t bytes);
 void freeAligned(void* block, std::size_t bytes);
-/// Gives freed memory, which the allocator caches, back to the system where the platform supports it. Call it
+/// Returns freed memory that the allocator caches to the system, where the platform supports it. Call it
 /// after set-up: a running simulation does not need that memory again.
 void trimFreedMemory();
 
-/// Makes freed blocks of at least 1 MB go back to the system at once. Programs call it once at their start.
-/// By default glibc raises its threshold and caches freed blocks of up to 32 MB, which doubles the resident
-/// memory of large runs. A steady step allocates nothing, so the setting costs no time.
+/// Makes the allocator return freed blocks of at least 1 MB to the system at once. Programs call it once at
+/// their start. By default glibc raises its threshold and caches freed blocks of up to 32 MB, which doubles
+/// the resident memory of large runs. A steady step allocates nothing, so the setting costs no time.
 void returnLargeBlocks();
 
 /// Allocator of aligned memory that leaves new elements uninitialised; columns zero them explicitly.

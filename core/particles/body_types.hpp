@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers and names of the body types besides the continuum.
+// Numbers and names of the body types except the continuum.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -7,7 +7,7 @@
 namespace thaw {
 
 inline constexpr std::size_t orientedType = 0, sheetType = 1, bodyTypeCount = 2;
-/// names of groups in files, frames and messages
+/// Names of the body types in files, frames and messages.
 inline constexpr std::array<const char*, bodyTypeCount> bodyTypeNames{"oriented", "sheet"};
 
 }  // namespace thaw

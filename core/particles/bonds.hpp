@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bonds of the owned solids. If no reference is ever renewed (no freezing, welding or large plastic flow),
-// all bonds share one configuration. A bond is then its other end alone: X_ij is the difference of
-// Solids::reference, and the weight follows from its length. Otherwise each bond stores its vectors and
-// weight, in the precision of the elastic step.
+// all bonds share one configuration. A bond then stores only its other end: X_ij is the difference of the two
+// Solids::reference, and the weight follows from the length of X_ij. Otherwise each bond stores its vectors
+// and weight, in the precision of the elastic step.
 #pragma once
 #include <algorithm>
 #include <type_traits>
@@ -17,7 +17,7 @@ inline constexpr int lanes = 8;  ///< bonds and neighbour lists are interleaved 
 /// An array of reals in single or double precision.
 class BondReals {
  public:
-  bool single = false;  ///< set it only while the array is empty
+  bool single = false;  ///< may be set only while the array is empty
   double operator[](std::size_t at) const { return single ? static_cast<double>(f_[at]) : d_[at]; }
   void set(std::size_t at, double value) {
     if (single) f_[at] = static_cast<float>(value);
@@ -43,8 +43,8 @@ class BondReals {
 /// is the order of sums, equal on any number of ranks.
 struct Bonds {
   int capacity = 0;                        ///< bonds per solid; grows as needed
-  AlignedVector<std::uint32_t> neighbour;  ///< solid of the other end; unused entries hold some readable row:
-                                           ///< the solid itself if it is owned
+  AlignedVector<std::uint32_t> neighbour;  ///< solid at the other end; unused entries hold a readable
+                                           ///< row, that of the solid itself if it is owned
   BondReals x, y, z;  ///< reference vector X_ij (m) from this end to the other, in this end's reference frame
   BondReals rx, ry, rz;  ///< X_ji, the other end's vector to this one; empty unless twoFrames (then X_ji =
                          ///< -X_ij)
@@ -52,7 +52,7 @@ struct Bonds {
   bool vectors = true;   ///< x, y, z and weight are stored; else a bond is its other end, and an entry whose
                          ///< end is the solid itself is unused
   bool twoFrames = false;  ///< rx, ry, rz are stored
-  bool broken = false;     ///< some bond broke on this rank since the last bond update; the next one drops it
+  bool broken = false;     ///< a bond broke on this rank since the last bond update; the next update drops it
 
   std::size_t at(std::size_t solidIndex, int k) const {
     return (solidIndex / lanes * static_cast<std::size_t>(capacity) + static_cast<std::size_t>(k)) * lanes +
@@ -80,14 +80,14 @@ struct Bonds {
     for (const BondReals* r : {&x, &y, &z, &rx, &ry, &rz, &weight}) n += r->bytes();
     return n;
   }
-  /// Sets the storage that the scene needs: vectors per bond, vectors per end, and precision. Call it before
-  /// the first bond is made.
+  /// Chooses the storage that the scene needs: vectors per bond, vectors of both ends, and precision. Call it
+  /// before the first bond is made.
   void choose(bool ownVectors, bool ofBothEnds, bool single) {
     vectors = ownVectors;
     twoFrames = ofBothEnds;
     for (BondReals* r : {&x, &y, &z, &rx, &ry, &rz, &weight}) r->single = single;
   }
-  /// Removes all bonds and frees the memory; the choices of the scene stay.
+  /// Removes all bonds and frees the memory. The choice of storage stays.
   void clear() {
     Bonds none;
     none.choose(vectors, twoFrames, x.single);

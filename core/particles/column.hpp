@@ -35,7 +35,7 @@ enum class Keep {
   Transient  ///< recomputed in each step before it is read; only resized
 };
 
-/// Rows that a field has.
+/// Rows for which a field has values.
 enum class Rows {
   All,
   Owned  ///< no ghost rows, so the field takes part in no ghost exchange
@@ -44,8 +44,8 @@ enum class Rows {
 /// Returns the capacity to reserve for `rows` rows. Rows enter and leave through faces: the head room is a
 /// sixteenth for small tables and about a layer of particles for large ones.
 std::size_t withHeadRoom(std::size_t rows);
-/// Reserves memory for `rows` rows of `each` elements. The first allocation is exact, so a serial run uses no
-/// more than it needs; later growth adds head room, so a steady step allocates nothing.
+/// Reserves memory for `rows` rows of `each` elements. The first allocation is exact, which saves memory in
+/// serial runs. Later growth adds head room, so that steady steps allocate nothing.
 template<class T> void makeRoom(AlignedVector<T>& v, std::size_t rows, std::size_t each = 1) {
   if (rows * each > v.capacity()) v.reserve((v.capacity() == 0 ? rows : withHeadRoom(rows)) * each);
 }
@@ -94,8 +94,8 @@ template<> struct FieldType<Quat> {
 
 struct Table;
 
-/// New positions of the rows of a table, most of which keep their order: runs of consecutive rows and single
-/// rows. Rows in neither are dropped.
+/// New positions of the rows of a table. Most rows keep their order, so the moves are stored as runs of
+/// consecutive rows and as single rows. All other rows are dropped.
 struct RowMoves {
   struct Run {
     std::uint32_t from, to, count;
@@ -105,7 +105,8 @@ struct RowMoves {
   };
   std::vector<Run> runs;        ///< `from` and `to` ascending
   std::vector<Single> singles;  ///< in any order
-  std::size_t rows = 0;         ///< number of rows afterwards; every index below it is a target exactly once
+  std::size_t rows = 0;         ///< number of rows afterwards; every smaller index is the target of exactly
+                                ///< one row
 };
 
 /// A field without its C++ type. Inactive columns hold no memory.
@@ -138,8 +139,8 @@ template<class T> struct Column : AnyColumn {
   const T& operator[](std::size_t i) const { return data()[i]; }
 };
 
-/// A field that may share the memory of a host column with rows of the same width. While it shares, it is not
-/// active, has no memory of its own and takes part in no exchange. Writing the host overwrites its values.
+/// A field that may share the memory of a host column whose rows have the same width. A sharing field is not
+/// active, has no memory of its own and takes part in no exchange. Writes to the host overwrite its values.
 template<class T> struct GuestColumn : Column<T> {
   using Column<T>::Column;
   void shareWith(AnyColumn& other) {
@@ -173,10 +174,11 @@ struct Table {
 
   std::size_t size() const { return owned + ghosts; }
   std::size_t rowsOf(const AnyColumn& column) const { return column.rows == Rows::Owned ? owned : size(); }
-  /// Sets the number of rows. Kept rows keep their values, new rows are zero. Never reduces the capacity.
+  /// Sets the number of rows. Remaining rows keep their values, new rows are zero. The capacity never
+  /// shrinks.
   void resize(std::size_t owned, std::size_t ghosts);
-  /// Frees capacity that exceeds the rows by more than the fraction `part`, such as that left over from an
-  /// earlier partition.
+  /// Frees capacity that exceeds the rows by more than the fraction `part`, as after a change of the
+  /// partition.
   void shrink(double part = 0.125);
   /// Activates a field: allocates zeroed rows.
   void activate(AnyColumn& column);
@@ -200,9 +202,9 @@ struct Table {
   void unpackState(std::size_t row, const std::byte* from);
 
  private:
-  // Targets of reorder by elementBytes; they are swapped with the columns.
+  // Buffers into which reorder writes, by elementBytes. They are swapped with the columns.
   std::vector<std::pair<std::size_t, AlignedVector<std::byte>>> spares_;
-  std::vector<std::byte> singles_;  // single rows of one column in flight
+  std::vector<std::byte> singles_;  // single rows of the column that is being moved
 };
 
 /// A list of columns for an exchange. It has fixed storage, since a step builds several lists.

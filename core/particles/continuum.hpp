@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fields of continuum particles (K05), one declaration each. A scene activates the fields of the modules
-// that it uses.
+// The fields of continuum particles (K05), each with one declaration. A scene activates the fields of the
+// modules that it uses.
 #pragma once
 #include <memory>
 #include <string_view>
@@ -192,7 +192,8 @@ struct Continuum : Table {
   Column<Vec3d> constraintForce{*this, "constraintForce", "N", Keep::State,
       "constraint force of a sleeping particle: balances its weight and all forces except those of walls; "
       "with numerics.rigidify, the load on it as its energy became constant, in the body frame"};
-  // Bond forming in a running simulation (bond_forming.hpp). Exchanged only after a particle froze.
+  // Formation of bonds in a running simulation (bond_forming.hpp). These fields are exchanged only after a
+  // particle froze.
   Column<Mat3d> frame{*this, "frame", "1", Keep::Transient,
       "deformation gradient F; the identity if the particle has just frozen"};
   Column<u8> justFrozen{*this, "justFrozen", "1", Keep::State,

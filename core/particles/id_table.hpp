@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hash table from ids to numbers with open addressing. It cannot be iterated, so its order has no influence.
+// Hash table from ids to numbers, with open addressing. It offers no iteration, so its internal order cannot
+// affect results.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -32,7 +33,7 @@ class IdTable {
       if (key_[at] == free_) return none;
     }
   }
-  /// Sets the number of an id, new or not.
+  /// Sets the number of an id, which may be new.
   void insert(std::uint64_t id, std::uint32_t value) {
     if (2 * (size_ + 1) > key_.size()) grow(key_.empty() ? 64 : 2 * key_.size());
     std::size_t at = bucketOf(id);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Particles that cannot move on their own, for solvers of velocities.
+// Particles that move together as bodies, for solvers of velocities.
 #pragma once
 #include <span>
 
@@ -11,16 +11,16 @@ class JointMotion {
  public:
   virtual ~JointMotion() = default;
 
-  /// Replaces the velocity changes (m/s) that impulses give to free particles by those of the bodies that
-  /// they belong to, in owned rows. Other rows stay as they are. The map is a projection, orthogonal in the
-  /// norm of kinetic energy but for the particles' own moments of inertia. Collective.
+  /// Replaces the velocity changes (m/s) of free particles due to impulses by those of the bodies to which
+  /// the particles belong, in owned rows. Other rows do not change. The map is a projection. Except for the
+  /// particles' own moments of inertia, it is orthogonal in the norm of kinetic energy. Collective.
   virtual void join(std::span<Vec3d> changes) = 0;
 
-  /// Adds the impulses of the last call of join to the bodies and sets the velocities of their particles; the
-  /// loss of kinetic energy is recorded as dissipated.
+  /// Adds the impulses of the last call of join to the bodies and sets the velocities of their particles. The
+  /// loss of kinetic energy is recorded as dissipation.
   virtual void kick() = 0;
 
-  /// Keeps the impulses of the last call of join for the start of the next step.
+  /// Stores the impulses of the last call of join for the start of the next step.
   virtual void keep() = 0;
 };
 

@@ -11,8 +11,8 @@ struct RowSpan {
   std::uint32_t begin, end;
 };  ///< [begin, end)
 
-/// Appends rows behind those of the list. Small gaps are included: passing over them costs less than another
-/// range.
+/// Appends rows behind those of the list. Small gaps are included, since visiting a few extra rows costs less
+/// than another range.
 inline void addRows(std::vector<RowSpan>& ranges, std::size_t first, std::size_t count) {
   constexpr std::size_t little = 32;
   const auto begin = static_cast<std::uint32_t>(first), end = static_cast<std::uint32_t>(first + count);

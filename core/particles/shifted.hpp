@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Particles that move with their shifting velocity.
+// Particles that move with an additional shifting velocity.
 #pragma once
 #include "core/particles/continuum.hpp"
 

@@ -11,11 +11,11 @@ namespace thaw {
 
 inline constexpr std::uint32_t noParticle = 0xffffffffu;
 
-/// Data of a bond end in the bond loops (elastic_lanes.hpp), one cache line in single precision. Members:
-/// displacement from the reference configuration; reference position; k of the hourglass energy k/2 sum w |x
-/// - F X|^2 (N/m); by rows the flux V P A^-1 - k grad u (N/m). The flux is the factor of w X in the force of
-/// a bond (elastic.hpp). If bonds have vectors, the reference is 0 and the displacement is the position.
-/// Positions are in m, or in single precision the bits of 32-bit fixed point.
+/// Data of a bond end in the bond loops (elastic_lanes.hpp), one cache line in single precision. It holds the
+/// displacement from the reference configuration, the reference position, k (N/m) of the hourglass energy k/2
+/// sum w |x - F X|^2, and, by rows, the flux V P A^-1 - k grad u (N/m). The flux is the factor of w X in the
+/// force of a bond (elastic.hpp). If bonds have vectors, the reference is 0 and the displacement is the
+/// position. Positions are in m. In single precision they are the bits of 32-bit fixed-point numbers.
 template<class Real> struct alignas(4 * sizeof(Real)) BondEnd {
   Real displacement[3], reference[3], hourglass, flux[9];
 };
@@ -26,8 +26,8 @@ template<class Real> struct FieldType<BondEnd<Real>> {
 
 struct Solids : Table {
   Solids() : Table("solid") {}
-  bool energyKnown = true;  ///< `energy` and `deformation` match the current positions and bonds; else
-                            ///< findElasticEnergy (solid_step.hpp) computes them on demand
+  bool energyKnown = true;  ///< `energy` and `deformation` match the current positions and bonds; otherwise
+                            ///< findElasticEnergy (solid_step.hpp) computes both on demand
   // clang-format off
   Column<std::uint64_t> id{*this, "id", "1", Keep::State, "id of the continuum particle"};
   Column<std::uint32_t> particle{*this, "particle", "1", Keep::Local,
@@ -81,8 +81,8 @@ struct Solids : Table {
       "data derived from its bonds (momentInverse, ElasticWork) needs an update"};
   // clang-format on
 
-  /// Marks a solid that lost a bond. It is marked at the loss, since a migrating solid keeps no trace of lost
-  /// bonds.
+  /// Marks a solid that lost a bond. Call it when the bond is lost, since a migrating solid keeps no trace of
+  /// lost bonds.
   void markExposed(std::size_t solidIndex) {
     if (exposed.active) exposed[solidIndex] = 1;
   }

@@ -6,8 +6,8 @@
 
 namespace thaw {
 
-/// Returns true if a particle moved in substeps in the last step, which had `substeps` of them. Ghosts have
-/// no solid index that would show it.
+/// Returns true if a particle moved in substeps in the last step, which had `substeps` substeps. Unlike a
+/// test of the solid index, this also works for ghosts, which have none.
 inline bool movedInSubsteps(const Continuum& p, std::size_t i, int substeps) {
   return substeps > 1 && p.stepMeanVelocity.active && p.stepMeanVelocity[i] != Vec3d{};
 }

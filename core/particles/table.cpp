@@ -48,8 +48,9 @@ bool contains(std::span<AnyColumn* const> columns, const AnyColumn* c) {
   return std::find(columns.begin(), columns.end(), c) != columns.end();
 }
 
-/// Moves runs of one column to their targets. An upward run may end where later runs begin, so later upward
-/// runs move first. A downward run ends before the next run begins and starts after all earlier targets.
+/// Moves runs of one column to their targets. The target of an upward run may overlap later runs, so later
+/// upward runs move first. The target of a downward run lies behind all earlier targets and before the next
+/// run.
 void moveRuns(std::span<const RowMoves::Run> runs, std::byte* column, std::size_t each) {
   const auto move = [&](const RowMoves::Run& r) {
     std::memmove(column + r.to * each, column + r.from * each, r.count * each);
@@ -66,8 +67,7 @@ void moveRuns(std::span<const RowMoves::Run> runs, std::byte* column, std::size_
 }  // namespace
 
 void Table::resize(std::size_t newOwned, std::size_t newGhosts) {
-  assert(newOwned == owned || ghosts == 0);  // ghosts lie behind the owned rows and would be mistaken for
-                                             // them
+  assert(newOwned == owned || ghosts == 0);  // ghosts lie behind the owned rows and would become owned
   owned = newOwned;
   ghosts = newGhosts;
   for (AnyColumn* c : columns)
@@ -103,7 +103,7 @@ void Table::reorder(std::span<const std::uint32_t> order, std::span<AnyColumn* c
     if (!c->active) continue;
     if (c->keep != Keep::Transient && !contains(stale, c)) {
       const std::size_t need = order.size() * c->elementBytes;
-      // A buffer is shared by columns of one width only; otherwise each would grow to the widest.
+      // Only columns of the same width share a buffer; otherwise each buffer would grow to the widest column.
       auto at = std::find_if(spares_.begin(), spares_.end(),
                              [&](const auto& s) { return s.first == c->elementBytes; });
       if (at == spares_.end()) at = spares_.insert(at, {c->elementBytes, {}});

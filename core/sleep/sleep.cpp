@@ -19,7 +19,7 @@ namespace {
 
 enum : std::uint8_t { AtRest = 1, Settled = 2, Asleep = 4, Everything = 7 };
 
-/// Returns the bits that all particles of a cell have.
+/// Returns the bits that all particles of a cell have in common.
 std::uint8_t bitsOf(const Continuum& p, const CellTable& cells, std::size_t c, double after) {
   const std::size_t first = cells.first[c], count = cells.count[c];
   const float* const restTime = p.restTime.data() + first;
@@ -35,16 +35,17 @@ std::uint8_t bitsOf(const Continuum& p, const CellTable& cells, std::size_t c, d
                                    (lightest == sleeping ? Asleep : 0));
 }
 
-/// Stage 2 around a cell is not enough. Bonds carry the stress of their other end from two cells away; around
-/// a particle at stage 3 all are at stage 2.
+/// Returns true if nothing in the sums of a cell changes. Stage 2 in the surrounding cells is not enough,
+/// since bonds transmit stress from two cells away. Around a particle at stage 3, all particles are at
+/// stage 2.
 bool isSteady(std::uint8_t around) { return (around & (AtRest | Asleep)) == (AtRest | Asleep); }
 
-/// Combines the bits of the 27 cells around each cell. Keys ascend, so nine positions advance along the
+/// Combines the bits of the 27 cells around each cell. Keys ascend, so nine indices advance through the
 /// table.
 void lookAround(const CellTable& cells, const std::vector<std::uint8_t>& own,
                 std::vector<std::uint8_t>& around) {
   std::size_t at[9] = {};
-  std::uint64_t low[9];  // the first of three keys along x, relative to the cell's own
+  std::uint64_t low[9];  // first of three keys along x, relative to the cell's own key
   for (int k = 0; k < 9; k++)
     low[k] = static_cast<std::uint64_t>((k / 3 - 1) * (1ll << 42) + (k % 3 - 1) * (1ll << 21) - 1);
   const std::size_t n = cells.key.size();
@@ -60,7 +61,7 @@ void lookAround(const CellTable& cells, const std::vector<std::uint8_t>& own,
 }
 
 /// Returns true if all bonds of the solid end within the 27 surrounding cells and its strain is small.
-/// Inverted and weakened particles are counted in every step.
+/// Otherwise the solid is evaluated in every step, which also counts inverted and weakened particles.
 bool mayBeSkipped(const SleepView& w, std::uint32_t solidIndex) {
   const Solids& s = w.solids;
   for (int k = 0; k < w.bonds.capacity; k++) {
@@ -88,8 +89,8 @@ AwakeReason awakeReasonOf(const Continuum& p, const Scene& scene, std::size_t i,
   const Numerics& n = scene.numerics;
   if (p.phase[i] != Solid || p.solidIndex[i] == noSolid || (p.liquid.active && p.liquid[i] > 0))
     return AwakeReason::NotSolid;
-  // The limit is at most half of gravity: otherwise a freely falling particle could be at rest for a large
-  // sleep_speed, and freeze in the air.
+  // The limit is at most half of gravity. Otherwise, with a large sleep_speed, a freely falling particle
+  // could count as at rest and stop in the air.
   const double slow = n.sleepSpeed, g = length(scene.domain.gravity),
                weak = std::min(slow / n.sleepAfter, g > 0 ? 0.5 * g : never);
   if (!(dot(p.velocity[i], p.velocity[i]) < slow * slow)) return AwakeReason::Moves;
@@ -209,7 +210,7 @@ void markSleeping(const SleepView& w) {
 }
 
 std::span<const RowSpan> awakeRows(const Modules& modules, const Continuum& p, SleepWork& sleep) {
-  // The last two conditions move or count sleeping particles too.
+  // Under the last two conditions, sleeping particles also move or are counted.
   const bool all = !modules.sleep || sleep.recomputeAll || p.shiftingVelocity.active ||
                    p.fastAcceleration.active;
   if (all) sleep.rows.assign(1, RowSpan{0, static_cast<std::uint32_t>(p.owned)});
@@ -286,7 +287,7 @@ void keepSteady(const SleepView& w, std::size_t first, std::size_t count) {
   w.counters.sleeping += static_cast<std::int64_t>(count);
   for (std::size_t i = first; p.clamped.active && i < first + count; i++) {
     if (!p.clamped[i]) continue;
-    // The known forces may be complete or none: the recorded force is exact in both cases.
+    // The forces known so far may be complete or zero. The recorded force is exact in both cases.
     const Vec3d recorded = p.force[i] + w.scene.domain.gravity * p.mass[i];
     for (int a = 0; a < 3; a++) w.ledger.wallForce[a].add(recorded[a]);
   }

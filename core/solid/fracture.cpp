@@ -17,8 +17,8 @@ bool beyondLimit(const ElasticWork& work, const Solids& solids, const Bonds& bon
                                 work.materials[solids.material[other]].breakStretch);
   if (!(limit < never)) return false;
   const BondVectors v = bondVectors(work, solids, bonds, solidIndex, k);
-  // Ends within the contact distance would repel each other and gain energy: their bond breaks only after
-  // they separate.
+  // Ends within the contact distance would repel each other and gain energy. Their bond therefore breaks only
+  // after they separate.
   const double length2 = dot(v.current, v.current);
   return length2 > work.touch * work.touch &&
          length2 > limit * limit * std::max(dot(v.reference, v.reference), dot(v.reverse, v.reverse));
@@ -48,8 +48,8 @@ std::int64_t breakBonds(ElasticWork& work, Solids& solids, Bonds& bonds, const E
       }
       refreshSolid(work, solids, bonds, s);
       // If stretched bonds break and compressed ones stay, the remaining strain can be larger. The volume is
-      // then reduced so that a break never adds energy; otherwise one crack triggers the next until all is
-      // dust.
+      // then reduced, so that a break never adds energy. Otherwise each crack would trigger the next until
+      // the solid is dust.
       const double after = solidEnergy(work, solids, bonds, s);
       if (after > before.now) solids.volume[s] *= before.now / after;
       recordJump(before, driftEnergy(work, solids, bonds, s, step.dt), phaseJump);

@@ -5,13 +5,13 @@
 
 namespace thaw {
 
-/// Updates Solids::liquid and Solids::energy after a change of the liquid fraction at the positions of the
-/// last force evaluation, and adds the loss to phaseJump (J). Requires: Solids::energy of that evaluation.
+/// Updates Solids::liquid and Solids::energy after a change of the liquid fraction, at the positions of the
+/// last force evaluation. Adds the energy loss to phaseJump (J). Requires: Solids::energy of that evaluation.
 void recordSoftening(const ElasticWork& work, const Continuum& particles, Solids& solids, const Bonds& bonds,
                      ExactSum& phaseJump);
 
-/// Sets Solids::melted of owned solids from the phase of their particles; the caller then sends it along the
-/// bonds.
+/// Sets Solids::melted of owned solids from the phase of their particles. The caller then sends this column
+/// along the bonds.
 void markMelted(const Continuum& particles, Solids& solids);
 
 /// Drops (weight 0) every bond of owned solids with a melted end, so that both ends lose it. The energy of

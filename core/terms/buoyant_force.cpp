@@ -7,7 +7,7 @@
 namespace thaw {
 namespace {
 
-/// Returns the buoyant force (N) under the whole gravity of the domain (gravityOf).
+/// Returns the buoyant force (N). gravity: m/s^2, total gravity of the domain (gravityOf).
 Vec3d buoyantForce(const Continuum& p, std::size_t i, const Vec3d& gravity) {
   return gravity * (-p.mass[i] * p.buoyancy[i]);
 }

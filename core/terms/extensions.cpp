@@ -66,7 +66,8 @@ bool isName(const std::string& s) {
 constexpr const char* newbornName = "newborn";             // the field of declareNewborn
 constexpr const char* tensionForceName = "tension_force";  // the field of declareTensionForce
 
-/// Names of computed fields of frames. Fields of extensions can have neither these nor those of the model.
+/// Names of computed fields of frames. Fields of extensions cannot have these names or the names of fields of
+/// the model.
 constexpr const char* computedFields[] = {newbornName, tensionForceName, "density", "pressure",
                                           "stress",    "strain",         "volume",  "plastic_strain",
                                           "rank",      "neighbours"};

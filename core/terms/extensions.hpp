@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Registry of the parts of the model that scenes name, with declared keys: forces, sources of heat, fields,
-// forces between particles, elastic laws and shapes, of the library and of programs.
+// Registry of the parts of the model that scenes select by name, with declared keys. These are forces, heat
+// sources, fields, forces between particles, elastic laws and shapes, of the library and of programs.
 #pragma once
 #include <functional>
 #include <optional>
@@ -20,13 +20,13 @@ namespace thaw {
 /// A key of an extension's table: a number with a unit.
 struct ExtensionKey {
   std::string name, unit;  ///< unit in SI, "" for none
-  double standard = 0;     ///< value where the scene does not give the key
+  double standard = 0;     ///< value if the scene does not set the key
   double least = -never, most = never;
   std::string about = {};  ///< one line
 };
 
-/// A field of particles: doubles, sorted, migrated, in checkpoints, and in frames that list it in
-/// output.fields.
+/// A field of particles, of doubles. It is sorted, migrated, in checkpoints, and in frames if output.fields
+/// lists it.
 struct ExtensionField {
   std::string name = {}, unit = {}, about = {};  ///< unit in SI, "1" for none
   int components = 1;
@@ -39,25 +39,26 @@ struct ExtensionField {
 /// - [extension.NAME]: its load, fields, pair force;
 /// - material.LABEL.law = "NAME": its law, whose keys are in [material.LABEL.NAME];
 /// - NAME = { keys } where a shape is expected: its shape.
-/// A term of the library has a model part, and keys in the scene's own tables instead.
-/// An extension may have several of these parts, and then uses its keys in each of them.
+/// A term of the library has a model part instead, with keys in the scene's own tables. An extension may have
+/// several of these parts, and its keys apply to all of them.
 struct Extension {
   std::string name = {};   ///< letters, digits, _
   std::string about = {};  ///< one line
   std::vector<ExtensionKey> keys = {};
-  /// Makes a force or a source of heat for the values of a scene.
+  /// Creates the force or heat source from the scene's values.
   std::function<OutsideSource(const ExtensionSettings&)> load = {};
-  /// Longest stable step (s) for these values; none: no limit.
+  /// Longest stable step (s) for these values. Empty: no limit.
   std::function<double(const ExtensionSettings&)> stepLimit = {};
   std::vector<ExtensionField> fields = {};
-  /// Makes the update of the fields; none: only loads and hooks set them.
+  /// Creates the function that updates the fields. Empty: only loads and hooks change them.
   std::function<FieldUpdate(const ExtensionSettings&)> update = {};
   PairForce pairForce = {};  ///< with kernels
   ElasticLaw law = {};       ///< with kernels or response
   ShapeMaker shape = {};
   bool heats = false;                   ///< its load adds heat: a scene that names it has heat
   bool builtIn = false;                 ///< in the library: all programs have it
-  std::optional<ModelPart> model = {};  ///< with keys in the scene's own tables; for the library alone
+  std::optional<ModelPart> model = {};  ///< with keys in the scene's own tables; only for terms of the
+                                        ///< library
 
   /// Returns true if it has a part that [extension.NAME] turns on.
   bool usesTable() const { return !model && (load || !fields.empty() || update || pairForce.kernels.sum); }
@@ -87,22 +88,22 @@ template<class Use> void eachTermElement(Scene& scene, Use&& use) {
       for (std::size_t k = 0; k < table.size(scene); k++) use(*term, table, table.at(scene, k));
 }
 
-/// Adds the defaults of keys that a scene made in code leaves out, and sets which extensions heat.
+/// Adds the defaults of keys that a scene built in code leaves out, and sets which extensions heat.
 void completeExtensions(Scene& scene);
 
 /// Declares the fields of the scene's extensions in the particles, inactive.
 void declareFields(const Scene& scene, Continuum& particles);
 /// Declares the fields of all registered extensions.
 void declareAllFields(Continuum& particles);
-/// Declares the field that marks particles emitted in this step. Pair forces of scenes with emitters need it
-/// to record the energy that they bring.
+/// Declares the field that marks particles emitted in this step. In scenes with emitters, pair forces need it
+/// to record the energy that emitted particles bring.
 void declareNewborn(Continuum& particles);
-/// Returns that field if it is active, else null.
+/// Returns the field of declareNewborn if it is active, else null.
 AddedColumn* newbornOf(const Continuum& particles);
-/// Declares the field that keeps surface tension by curvature for the record of its work
+/// Declares the field that stores the force of surface tension by curvature, so that its work can be recorded
 /// (core/flow/curvature/curvature_force.hpp).
 void declareTensionForce(Continuum& particles);
-/// Returns that field, or null if it is not declared.
+/// Returns the field of declareTensionForce, or null if it is not declared.
 AddedColumn* tensionForceOf(const Continuum& particles);
 /// Sets the active fields of extensions in new rows [begin, end) to their start values.
 void startFields(Continuum& particles, std::size_t begin, std::size_t end);

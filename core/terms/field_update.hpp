@@ -13,8 +13,8 @@ struct FieldStep {
   double time = 0;  ///< s, end of the step
   double dt = 0;    ///< s
 };
-/// For the same bits on any number of ranks, it sets fields of owned rows from the row's own fields and the
-/// time alone.
+/// Updates the fields of owned rows. To give the same bits on any number of ranks, it may use only the row's
+/// own fields and the time.
 using FieldUpdate = std::function<void(const FieldStep&)>;
 
 }  // namespace thaw

@@ -33,7 +33,7 @@ struct Finder {
     module = true;
     m.why.push_back(std::string(name) + ": " + why);
   }
-  /// Activates a module that belongs to a term.
+  /// Activates a module of a term.
   void on(bool Modules::*module, const std::string& why) { on(m.*module, nameOf(module), why); }
 };
 
@@ -41,7 +41,8 @@ void activate(Finder& f, const std::vector<ModuleUse>& uses) {
   for (const ModuleUse& use : uses) f.on(use.module, use.why);
 }
 
-/// Activates the modules that terms need before phases are known: of those that heat, or of the others.
+/// Activates the modules that terms need before phases are known. heat: true for terms that heat, false for
+/// other terms.
 void findEarly(Finder& f, bool heat) {
   for (const Extension* term : modelTerms())
     if (term->heats == heat && term->model->earlyUses) activate(f, term->model->earlyUses(f.s));
@@ -69,8 +70,8 @@ void findHeat(Finder& f) {
   findEarly(f, false);
 }
 
-/// Returns true if everything is liquid of one material with constant parameters and no pair sum reads data
-/// other than positions and velocities. With heat, no sum may need volumes after the densities
+/// Returns true if everything is liquid of one material with constant parameters, and pair sums read only
+/// positions and velocities. With heat, no sum may need volumes after the densities
 /// (terms/uniform_forces.hpp).
 bool isUniform(const Scene& s, const Modules& m) {
   const bool other = m.solid || m.melting || m.contactConductance || m.evaporation || m.incompressible ||
@@ -150,8 +151,8 @@ void findSubsteps(Finder& f) {
   if (m.solid && s.numerics.sleepSpeed > 0)
     f.on(m.rigid && !m.elastic ? m.pieceSleep : m.sleep, "sleep", "`numerics.sleep_speed` is given");
   // Contact of solids limits the step of all particles, so substeps gain little there. With more than two
-  // substeps, impulses of incompressible liquid come as seldom as half a period of the fastest elastic waves,
-  // and feed these waves.
+  // substeps, the interval between impulses of incompressible liquid reaches half a period of the fastest
+  // elastic waves. The impulses then amplify these waves.
   const int byDefault = m.incompressible ? 2 : 4;
   m.mostSubsteps = s.numerics.elasticSubsteps > 0 ? s.numerics.elasticSubsteps
                    : m.elastic && m.fluid && !m.contact && !m.sleep && !m.rigidify ? byDefault

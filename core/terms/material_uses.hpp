@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Modules of terms with a coefficient of materials.
+// Modules of terms that depend on a coefficient of materials.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace thaw {
 
-/// A reason that names a material, between two texts.
+/// Text before and after the name of the material in a reason.
 struct MaterialReason {
   const char *before = "", *after = "";
 };
@@ -30,7 +30,7 @@ inline bool inUse(const Scene& s, const Material& x) {
   return inUse(s, static_cast<std::size_t>(&x - s.materials.data()));
 }
 
-/// The same, for materials that the scene uses and that can be liquid.
+/// Like usesByMaterials, for materials that the scene uses and that can be liquid.
 template<class Has>
 std::vector<ModuleUse> usesByLiquids(const Scene& s, const Modules& m, bool Modules::*module,
                                      const MaterialReason& why, Has&& has) {
@@ -38,7 +38,7 @@ std::vector<ModuleUse> usesByLiquids(const Scene& s, const Modules& m, bool Modu
                          [&](const Material& x) { return inUse(s, x) && hasLiquid(m, x) && has(x); });
 }
 
-/// The same, for materials that the scene uses and that can be solid.
+/// Like usesByMaterials, for materials that the scene uses and that can be solid.
 template<class Has>
 std::vector<ModuleUse> usesBySolids(const Scene& s, const Modules& m, bool Modules::*module,
                                     const MaterialReason& why, Has&& has) {

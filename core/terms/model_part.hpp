@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of an extension by which the library declares a part of its own model: keys in the scene's own
-// tables, such as [[lamp]] or [material.NAME], modules, step limits, energies. A body force, a source of heat
-// and a pair force have their action here, too. Sums that are fused for speed, such as those of pressure and
-// viscosity, act in core/simulation/modules/. core/terms/terms.hpp lists them.
+// A ModelPart declares a part of the library's own model: keys in the scene's own tables, such as [[lamp]] or
+// [material.NAME], modules, step limits and energies. Body forces, heat sources and pair forces also declare
+// their functions here. Sums that are fused for speed, such as pressure and viscosity, are called from
+// core/simulation/modules/. core/terms/terms.hpp lists all terms.
 #pragma once
 #include <functional>
 #include <string>
@@ -19,7 +19,7 @@
 
 namespace thaw {
 
-/// Members of an element of a list of tables, for checks that all lists share; null: the element has no such
+/// Members of an element of a list of tables, for checks common to all lists. Null: the element has no such
 /// member.
 struct TermElement {
   SourcePlace* where = nullptr;
@@ -28,9 +28,9 @@ struct TermElement {
   Shape* shape = nullptr;
 };
 
-/// A list of tables [[key]] of a scene, whose elements are in a vector of Scene.
+/// A list of tables [[key]] of a scene. Its elements are in a vector of Scene.
 struct TermTable {
-  const char *key, *title;  ///< title: for messages and elements without a name
+  const char *key, *title;  ///< title: used in messages and for elements without a name
   const char* about;
   std::size_t (*size)(const Scene&);
   TermElement (*at)(Scene&, std::size_t);
@@ -39,7 +39,7 @@ struct TermTable {
   void (*keys)(KeyTable&, Scene&, std::size_t);  ///< declares the keys of an element
 };
 
-/// Returns the table of the elements in a vector of Scene. Keys: void(KeyTable&, Element&).
+/// Returns the TermTable of a vector of Scene. Keys: void(KeyTable&, Element&).
 template<auto List, auto Keys> TermTable termTable(const char* key, const char* title, const char* about) {
   return {key,
           title,
@@ -58,14 +58,14 @@ template<auto List, auto Keys> TermTable termTable(const char* key, const char* 
           [](KeyTable& keys, Scene& s, std::size_t k) { Keys(keys, (s.*List)[k]); }};
 }
 
-/// A module that belongs to a term, with its name in the list of `thaw check`.
+/// A module of a term, with its name in the list of `thaw check`.
 struct TermModule {
   bool Modules::*module;
   const char* name;
 };
 
-/// A module that a term needs, of this or of another term, and why: "the density of ..." in the list of
-/// `thaw check`.
+/// A module that a term needs, and the reason, such as "the density of ...", in the list of `thaw check`. The
+/// module may belong to another term.
 struct ModuleUse {
   bool Modules::*module;
   std::string why;
@@ -78,25 +78,26 @@ enum class LoadStage {
   Sources    ///< ModulePhase::AllForces, after evaporation: heat from elsewhere
 };
 
-/// The force that a sum over pairs adds to.
+/// The force field to which a sum over pairs adds.
 enum class PairTarget {
   Force,          ///< Continuum::force
-  ExplicitForce,  ///< the same; with incompressible liquid Continuum::drag
-  PositionForce   ///< Continuum::positionForce, where forces of positions alone are apart; else the force
+  ExplicitForce,  ///< Continuum::force, or Continuum::drag with incompressible liquid
+  PositionForce   ///< Continuum::positionForce if it is active (for forces that depend on positions alone),
+                  ///< else Continuum::force
 };
 
 /// A sum over pairs by the vector code of the library (core/fluid/pair_sums/pair_kernels.hpp). It is called
-/// for inner and boundary groups in turn, after the sum of pressures.
+/// after the sum of pressures, first for inner and then for boundary groups.
 struct PairSweep {
   void (*PairKernels::*sum)(const PairSums&, GroupRange);
   bool (*isOn)(const Numerics&, const Modules&);
   PairTarget onto = PairTarget::Force;
-  /// Packs records of rows that it reads besides those of pressures; none: no further ones.
+  /// Packs the records that it reads in addition to those of the pressure sum. Null: no additional records.
   void (*pack)(const RecordContext&, const Continuum&, std::size_t begin, std::size_t end,
                PairRecords&) = nullptr;
 };
 
-/// The scene and its meshes, for a term that begins. Errors of shapes are added to problems.
+/// The scene and its meshes, for the start of a term. Errors of shapes are added to problems.
 struct TermSetup {
   const Scene& scene;
   const MeshLoader& load;
@@ -109,30 +110,31 @@ struct ModelPart {
   void (*domainKeys)(KeyTable&, Domain&) = nullptr;      ///< in [domain]
   void (*numericsKeys)(KeyTable&, Numerics&) = nullptr;  ///< in [numerics]
   void (*materialKeys)(KeyTable&, Material&) = nullptr;  ///< in [material.NAME]
-  /// Refuses meaningless combinations, when all keys of the material are read.
+  /// Rejects meaningless combinations after all keys of the material are read.
   void (*checkMaterial)(KeyTable&, const Material&, const Numerics&) = nullptr;
   // Modules
   std::vector<TermModule> modules = {};  ///< each belongs to one term
-  /// Returns the modules that the scene needs whatever the phases of its particles are, which are not known
-  /// then: above all why temperatures change. Null: none.
+  /// Returns the modules that the scene needs independent of the phases of its particles, which are not known
+  /// yet. These are mostly reasons for which temperatures change. Null: none.
   std::vector<ModuleUse> (*earlyUses)(const Scene&) = nullptr;
-  /// Returns the modules that the scene needs with those that are found before, among them those of terms
-  /// earlier in the list. Null: none. The scene uses the term if this, or without it earlyUses, returns any.
+  /// Returns the modules that the scene needs, given the modules found so far, including those of terms
+  /// earlier in the list. Null: none. The scene uses the term if this function returns any; if it is null,
+  /// earlyUses decides.
   std::vector<ModuleUse> (*uses)(const Scene&, const Modules& found) = nullptr;
   // Action
   LoadStage stage = LoadStage::Forces;
-  /// Makes the force or source. It adds to OutsideLoad::force and heat, which are the fields of the
+  /// Creates the force or heat source. It adds to OutsideLoad::force and heat, which point to fields of the
   /// particles, and records its energies in the ledger.
   OutsideSource (*start)(const TermSetup&) = nullptr;
-  /// Records work and impulse of the force in a half kick. Called before it.
+  /// Records work and impulse of the force in a half kick. It is called before the kick.
   void (*recordKick)(const OutsideLoad&, HalfKick) = nullptr;
   std::vector<PairSweep> sweeps = {};
-  /// Limits of the step: names in limitNames (core/simulation/time/step_limits.hpp).
+  /// Names of its step limits, from limitNames (core/simulation/time/step_limits.hpp).
   std::vector<const char*> limits = {};
-  /// Longest stable step (s) at a time (s), for the first limit; none: set-up or the forces themselves give
-  /// it.
+  /// Longest stable step (s) at a time (s), for the first limit. Null: set-up or the forces determine the
+  /// limit.
   double (*stepLimit)(const Scene&, double time) = nullptr;
-  std::vector<const char*> energies = {};  ///< columns of ledger.csv with its energy, work, heat, mass
+  std::vector<const char*> energies = {};  ///< columns of ledger.csv with its energy, work, heat or mass
 };
 
 /// A term of a scene.

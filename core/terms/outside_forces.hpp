@@ -18,8 +18,8 @@ namespace thaw {
 struct OutsideLoad {
   Continuum& particles;
   double time;         ///< s
-  Vec3d* force;        ///< N, to be added to
-  double* heat;        ///< W, to be added to; null in a scene without heat
+  Vec3d* force;        ///< N, the source adds to it
+  double* heat;        ///< W, the source adds to it; null in a scene without heat
   double dt;           ///< s, length of the step that ends at `time`; 0 at the start of a run
   HeatView run;        ///< scene, modules, ledger; its clock is at the beginning of the step
   const Walls& walls;  ///< obstacles and sides of the domain, at `time`
@@ -27,9 +27,9 @@ struct OutsideLoad {
   const std::vector<std::uint8_t>* steady;  ///< rows without force and heat (WallContext::steady), or null
 };
 
-/// Called once in every evaluation of forces, on every rank, also on ranks without particles. For the same
-/// bits on any number of ranks, a load must follow from the particle's own fields, the scene, the walls and
-/// the time, and from exact sums or maxima over all ranks.
+/// Called once in every evaluation of forces, on every rank, including ranks without particles. To give the
+/// same bits on any number of ranks, a load may depend only on the particle's own fields, the scene, the
+/// walls, the time, and exact sums or maxima over all ranks.
 using OutsideSource = std::function<void(const OutsideLoad&)>;
 
 /// Returns true if a particle is neither clamped nor sleeping, so that forces move it.
@@ -40,7 +40,8 @@ bool isFree(const Continuum& particles, std::size_t row);
 /// `load` are replaced.
 void addOutsideLoads(const std::vector<OutsideSource>& sources, OutsideLoad load);
 
-/// The half kick that follows: with the accelerations of the last step, or with the forces of this one.
+/// The half kick that follows. First: with the accelerations of the last step. Second: with the forces of
+/// this step.
 enum class HalfKick { First, Second };
 
 /// Records work and impulse of a force (N) on a row in the half kick, at the mean velocity of the kick. Call
@@ -52,8 +53,8 @@ struct KickOfForce {
   void record(const Continuum& particles, std::size_t row, const Vec3d& force, Ledger& ledger) const;
 };
 
-/// Records work and impulse of Continuum::outsideForce in a half kick over dt / 2 (s). Called before it.
-/// gravity: m/s^2.
+/// Records work and impulse of Continuum::outsideForce in a half kick over dt / 2 (s). Call it before the
+/// kick. gravity: m/s^2.
 void recordOutsideKick(const Continuum& particles, HalfKick kick, const Vec3d& gravity, double dt,
                        Ledger& ledger);
 

@@ -12,7 +12,7 @@ template<class Source> const Material& materialOf(const Scene& s, const Source& 
   return s.materials[static_cast<std::size_t>(from.material)];
 }
 
-/// Returns true if some particles of a body or emitter may start solid, and others liquid.
+/// Returns true if particles of a body or emitter may start solid, and others may start liquid.
 template<class Source> bool mayStartInEitherPhase(const Scene& s, const Source& from) {
   const Material& x = materialOf(s, from);
   return from.temperatureField && x.canBeSolid() && x.melts();
@@ -30,7 +30,7 @@ inline int solidBodies(const Scene& s) {
   return bodies;
 }
 
-/// Refuses keys that rigid pieces do not have.
+/// Rejects keys that do not apply to rigid pieces.
 inline void refuseForRigid(KeyTable& keys, const Material& m, std::initializer_list<const char*> names) {
   for (const char* key : names)
     if (m.isRigid() && keys.has(key))

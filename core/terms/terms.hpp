@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of the parts of the library's own model: forces, sources of heat, laws of liquids. Its rows are
-// entered into the registry of extensions (core/terms/extensions.hpp), which scenes, documents, checks,
-// restarts and the step read. To add a term: docs/developer/extend.md.
+// The table of the library's own model parts: forces, heat sources, laws of liquids. Its rows are entered
+// into the registry of extensions (core/terms/extensions.hpp). Scenes, documents, checks, restarts and the
+// step read this registry. To add a term: docs/developer/extend.md.
 #pragma once
 #include "core/terms/extensions.hpp"
 
 namespace thaw {
 
-// Each in its file rows/NAME_term.cpp.
+// Each term is in its own file rows/NAME_term.cpp.
 Extension gravityTerm();
 Extension pressureTerm();
 Extension viscosityTerm();
@@ -29,7 +29,7 @@ Extension heatedRegionTerm();
 Extension evaporationTerm();
 Extension mushTerm();
 
-/// Returns all terms. They act in this order within a stage, and their keys are listed in it.
+/// Returns all terms. Within a stage they act in this order. Their keys are listed in the same order.
 inline std::vector<Extension> ownTerms() {
   // clang-format off
   return {gravityTerm(),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Simulated time. Frame times and the end are hit exactly: the steps before are equal and end there, and the
-// time is then set to that value.
+// Simulated time. Frame times and the end are hit exactly: equal steps lead up to each of them, and the time
+// is then set to the exact value.
 #pragma once
 #include <cstdint>
 
@@ -13,8 +13,9 @@ struct Clock {
   std::int64_t step = 0;       ///< steps done
   std::int64_t frame = 0;      ///< frames written; the next is due at frame * every
   double dt = 0;               ///< s, target length of the next step; an upper bound (nextStep)
-  double stepDt = 0;           ///< s, last step
-  int substeps = 1;            ///< number for solids in the next step (core/simulation/solid_substeps.hpp)
+  double stepDt = 0;           ///< s, length of the last step
+  int substeps = 1;            ///< number of substeps of solids in the next step
+                               ///< (core/simulation/solid_substeps.hpp)
   const char* limitedBy = "";  ///< name of the limit that set dt
 };
 

@@ -8,8 +8,8 @@
 namespace thaw {
 namespace {
 
-/// Returns the nearest double with 15 decimal digits. 12 * 0.05 is not 0.6, and a run that ends there and
-/// continues must equal one that did not stop.
+/// Returns the double nearest to t rounded to 15 decimal digits. In doubles, 12 * 0.05 is not 0.6, but a
+/// run that ends at 0.6 and continues must equal a run that did not stop.
 double inDecimals(double t) {
   char digits[32];
   const auto written = std::to_chars(digits, digits + sizeof digits, t, std::chars_format::general, 15);
@@ -29,7 +29,7 @@ bool frameDue(const Clock& c) { return c.every > 0 && c.time >= frameTime(c, c.f
 
 namespace {
 
-/// Returns the next time to hit: of a frame, or the end.
+/// Returns the next time (s) to hit: that of a frame, or the end.
 double target(const Clock& c) {
   if (!(c.every > 0)) return c.end;
   std::int64_t k = std::max(c.frame, static_cast<std::int64_t>(std::min(c.time / c.every, 9e15)));
@@ -37,7 +37,8 @@ double target(const Clock& c) {
   return std::min(c.end, frameTime(c, k));
 }
 
-/// Relative error of a step by which sums of steps may miss a frame time: 1e9 steps in double.
+/// Fraction of a step by which a sum of steps may miss a frame time. It allows for rounding over 1e9 steps in
+/// double precision.
 constexpr double rounding = 1e-6;
 
 }  // namespace

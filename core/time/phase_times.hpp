@@ -62,7 +62,7 @@ struct PhaseTimes {
   StepPhase current = StepPhase::None;
   Clock::time_point since{};
   StepTrace* trace = nullptr;  ///< records laps; null: off
-  bool onCore = false;  ///< uses the CPU time of this thread, which measures work where ranks share cores
+  bool onCore = false;         ///< measures the CPU time of this thread, for ranks that share cores
 
   double& operator[](StepPhase phase) { return seconds[static_cast<std::size_t>(phase)]; }
   double operator[](StepPhase phase) const { return seconds[static_cast<std::size_t>(phase)]; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Trace of a rank's last steps for `thaw run --profile`: phases, waiting, and exchanges in flight. Bounded in
-// size: the last steps, with a limited number of events each. It does not affect results.
+// Trace of a rank's last steps for `thaw run --profile`: phases, waiting, and exchanges in flight. Its size
+// is bounded: it holds the last steps, with a limited number of events each. It does not affect results.
 #pragma once
 #include <chrono>
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace thaw {
 enum class TraceKind : std::uint8_t { Step, Phase, Wait, Exchange };
 
 struct TraceEvent {
-  std::int64_t begin = 0, end = 0;  ///< ns of this process's steady clock
+  std::int64_t begin = 0, end = 0;  ///< ns, by this process's steady clock
   std::int64_t step = 0;
   std::int64_t bytes = 0;     ///< sent, for an exchange
   std::int32_t messages = 0;  ///< sent, for an exchange

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Search for particles near walls: first cells, then the particles of these cells.
+// Search for particles near walls: first for cells, then for the particles of these cells.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,8 +12,8 @@
 namespace thaw {
 namespace {
 
-/// Depth (spacings) in a wall to which deeper particles are moved back. Larger jumps would change the
-/// energies of all forces more.
+/// Particles deeper in a wall than this depth (spacings) are moved back to it. Moves all the way out would
+/// change the energies of all forces more.
 constexpr double deepest = 0.5;
 
 Vec3d restPlace(const Wall& w, const Vec3d& x) { return toRest(w.pose, x); }
@@ -25,8 +25,9 @@ struct DeepContact {
   Vec3d normal;  ///< out of the wall
 };
 
-/// Records the contact energy that a particle loses when it is moved out of a wall. Its velocity into the
-/// wall is 0 afterwards, so the half kick at the end of the step does no work. into: m/s, its value before.
+/// Records the contact energy that a particle loses when it is moved out of a wall by `moved` (m). Its
+/// velocity into the wall is 0 afterwards, so the half kick at the end of the step does no work. into: m/s,
+/// the velocity into the wall before.
 void recordContactLoss(const WallContext& x, const DeepContact& c, double moved, double into) {
   Continuum& p = x.world.particles;
   const WallSpring spring = wallSpring(x, c.row);
@@ -36,7 +37,7 @@ void recordContactLoss(const WallContext& x, const DeepContact& c, double moved,
   p.dissipated[c.row] += 0.5 * spring.stiffness * (gap * before - left * left);
 }
 
-/// Moves a particle out until it is `deepest` inside, and removes its velocity into the wall. Records
+/// Moves a particle out of a wall to the depth `deepest`, and removes its velocity into the wall. Records
 /// impulse, work and loss.
 Projection project(const WallContext& x, const Wall& wall, const DeepContact& c) {
   const WallView& w = x.world;
@@ -80,24 +81,25 @@ bool listContacts(const WallContext& x, std::size_t i, WallContacts& contacts, b
   return moved;
 }
 
-/// d overlap(a, b) / da for the overlap of two walls near a particle to which they contribute relative
-/// densities a and b. The overlap is exact for two planes through the particle at any angle, 0 for opposite
-/// ones, and min(a, b) for equal directions (g = 1). It is smoothed at the kink of min(a, b).
+/// Derivative d overlap(a, b) / da of the overlap of two walls that contribute relative densities a and b to
+/// a particle. The overlap is exact for two planes through the particle at any angle. It is 0 for opposite
+/// planes, and min(a, b) for equal directions (g = 1). The kink of min(a, b) is smoothed.
 double overlapSlope(double a, double b, double g) {
   if (g <= 0) return (1 + g) * b;
   return (1 - g) * b + g * b * b / (a * a + b * b + 1e-30);
 }
 
 /// Updates the contact offset. A liquid particle may be closer to a wall than the rest distance of solids,
-/// and freezing there must not create a compressed spring. It rests where it froze, and at half a spacing
-/// once it has moved that far. Liquids have no depth below the surface of a solid.
+/// and freezing there must not create a compressed spring. The offset is therefore the distance at which the
+/// particle froze. It becomes half a spacing once the particle has moved that far. Liquids have no depth
+/// below the surface of a solid.
 void updateContactOffset(Continuum& p, const Scene& scene, std::size_t i, double nearest) {
   const auto now = static_cast<float>(std::clamp(nearest / scene.spacing, 0.25, 0.5));
   p.contactOffset[i] = p.liquid[i] >= 1 ? now : std::max(p.contactOffset[i], now);
   if (p.contactDepth.active && p.phase[i] == Liquid) p.contactDepth[i] = 0;
 }
 
-/// Fraction of a contact's pressure that remains after overlap with another wall.
+/// Fraction of a contact's pressure that remains after subtraction of the overlap with another wall.
 double shareBeside(const WallSupport& x, const WallContact& c, const WallContact& other) {
   return std::max(
       0.0, 1 - overlapSlope(x.tables(c.distance / x.support).space,
@@ -136,7 +138,9 @@ void findWallContacts(const WallContext& x, WallContacts& contacts) {
   Continuum& p = w.particles;
   contacts.list.clear();
   contacts.projections.clear();
-  for (ExactSum& s : w.ledger.wallForce) s = {};  // surface tension adds to it before all other forces
+  for (ExactSum& s : w.ledger.wallForce)
+    s = {};  // reset here, since surface tension adds to it before all
+             // other forces
   bool any = false;
   for (const Wall& wall : w.walls.list) any = any || wall.present;
   if (!any) return;
@@ -206,8 +210,8 @@ double pressureShare(const WallSupport& x, std::span<const WallContact> contacts
 
 double wallRelativeDensity(const WallSupport& x, std::span<const WallContact> contacts,
                            std::vector<double>& added) {
-  // Each wall adds the part of its contribution that earlier walls do not overlap. Earlier parts are
-  // disjoint, so their overlaps sum up.
+  // Each wall adds the part of its contribution that does not overlap with earlier walls. Earlier parts are
+  // disjoint, so their overlaps add up.
   double relativeDensity = 0;
   for (std::size_t k = 0; k < contacts.size(); k++) {
     const WallIntegrals t = x.tables(contacts[k].distance / x.support);

@@ -23,8 +23,8 @@ bool isKnown(const Faces& known, const Face& f) {
                      [&](const Face& k) { return dot(k.normal, f.normal) > sameDirection; });
 }
 
-/// Returns true if the projection of x onto the face lies on the surface. x is lifted out of the other faces
-/// first. Below a floor, the projection onto a side wall is inside the wall.
+/// Returns true if the projection of x onto the face lies on the surface. First x is moved out of the other
+/// faces. Otherwise, for x below a floor, the projection onto a side wall would be inside the wall.
 bool isSurface(const SignedDistance& shape, const Vec3d& x, const Faces& known, const Face& f,
                double spacing) {
   Vec3d lifted = x;
@@ -35,7 +35,7 @@ bool isSurface(const SignedDistance& shape, const Vec3d& x, const Faces& known, 
   return std::abs(shape.distanceWithin(lifted - f.normal * height, 2 * tolerance)) < tolerance;
 }
 
-/// Searches a further face from a point at distance `step` from the known ones.
+/// Searches for another face near x + step. Returns true if it adds one.
 bool addFace(const SignedDistance& shape, const Vec3d& x, const Vec3d& step, Faces& faces, double reach,
              double spacing) {
   const Face f = faceFrom(shape, x, x + step);
@@ -51,8 +51,8 @@ Vec3d perpendicular(const Vec3d& n) {
   return normalized(cross(n, axis));
 }
 
-/// Directions away from the known faces, each with a component of 1 along their normals. Between opposite
-/// faces: along them.
+/// Finds directions away from the known faces, with a component of 1 along the normals of these faces.
+/// Between opposite faces, directions are parallel to the faces. Returns their number.
 std::size_t awayFrom(const Faces& known, std::array<Vec3d, 4>& direction) {
   constexpr double opposite = -0.9;
   const Vec3d& a = known.face[0].normal;
@@ -80,7 +80,8 @@ Faces facesWithin(const SignedDistance& shape, const Vec3d& x, double reach, dou
   if (!(first.distance < reach)) return faces;
   faces.count = 1;
   if (shape.convex()) return faces;
-  // At distance `reach` from the known faces, an unknown face is the nearest. A gap needs a shorter distance.
+  // At distance `reach` from the known faces, an unknown face is the nearest. A narrow gap needs a shorter
+  // distance.
   for (bool found = true; found && faces.count < Faces::most;) {
     found = false;
     std::array<Vec3d, 4> direction;

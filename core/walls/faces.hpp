@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faces of a wall near a point. A concave corner has several, and each supports a liquid.
+// Faces of a wall near a point. A concave corner has several faces, and each supports liquid.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -19,9 +19,9 @@ struct Faces {
   std::size_t count = 0;
 };
 
-/// Returns the faces within `reach` (m) of x, nearest first. Further faces must be plane at the projection of
-/// x, within a twentieth of `spacing` (m): curved surfaces and convex edges count as one face. Empty if the
-/// surface is out of reach.
+/// Returns the faces within `reach` (m) of x, nearest first. All faces except the nearest must be plane
+/// around the projection of x, within a twentieth of `spacing` (m). Curved surfaces and convex edges count as
+/// one face. Empty if the surface is out of reach.
 Faces facesWithin(const SignedDistance& shape, const Vec3d& x, double reach, double spacing);
 
 }  // namespace thaw

@@ -8,7 +8,7 @@
 namespace thaw {
 namespace {
 
-/// Relative tolerance of equal lengths, over the domain.
+/// Tolerance for equal lengths, relative to the domain.
 constexpr double rounding = 1e-9;
 
 bool isPeriodic(const Domain& d, int a) { return d.side[static_cast<std::size_t>(a)][0] == Side::Periodic; }
@@ -19,8 +19,8 @@ bool spansDomain(const Domain& d, const Wall& wall, int a) {
   return !(wall.bounds.max[a] - wall.bounds.min[a] < lengthOf(d, a) * (1 - rounding));
 }
 
-/// Bounds of all positions of a moving wall. For rotating walls, the bounding box at any angle about the
-/// origin.
+/// Returns bounds of all positions of a moving wall. For rotating walls they contain the bounding box at any
+/// angle about the origin.
 Bounds sweptBounds(const Wall& wall) {
   Bounds box = wall.bounds;
   const std::vector<Keyframe>& motion = wall.properties.motion;
@@ -41,7 +41,7 @@ Bounds sweptBounds(const Wall& wall) {
   return {box.min + moves.min, box.max + moves.max};
 }
 
-/// Periods, first to last, that shift a wall to within `reach` of the domain.
+/// Range of periods, first to last, by which a shifted wall comes within `reach` of the domain.
 struct ImageRange {
   int first = 0, last = 0;
 };

@@ -8,8 +8,8 @@
 
 namespace thaw {
 
-/// Lists the walls within the support radius of some particle of a cell. Cells at the border of the grid also
-/// hold particles beyond it, so no wall is excluded for them.
+/// Lists the walls within the support radius of some particle of a cell. Cells at the border of the grid may
+/// contain particles beyond the grid, so all walls are listed for them.
 void findReachable(const CellGrid& grid, const Walls& walls, std::uint64_t key,
                    std::vector<std::uint32_t>& reachable);
 

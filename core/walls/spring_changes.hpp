@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Energy of springs on walls that changes with the phase: melting changes their length and stiffness.
+// Change of the energy of wall springs with the phase. Melting changes the length and stiffness of springs.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace thaw {
 
-/// Spring of a particle near a wall, before heat changes its phase. Particles of rigid pieces have none: a
-/// stiffness of 0.
+/// Spring of a particle near a wall, before heat changes the phase. For particles of rigid pieces the
+/// stiffness is 0.
 struct SpringState {
   std::uint32_t row;
   WallSpring spring;
@@ -20,13 +20,13 @@ struct NextStepLengths {
   double step, substep;  ///< s
 };
 
-/// Lists the particles that may melt or freeze within reach of springs.
+/// Lists the particles within reach of wall springs that may melt or freeze.
 void listSpringStates(const WallContext& context, const WallContacts& contacts,
                       std::vector<SpringState>& springs);
 
-/// Records the change of the energy of these springs at the same positions in Ledger::phaseJump and
-/// Continuum::interaction, exactly for any change of the phase. The ledger also takes the work of the next
-/// half kick, which still has the force before the change.
+/// Records the change of the energy of these springs at fixed positions in Ledger::phaseJump and
+/// Continuum::interaction. It is exact for any change of the phase. The ledger also receives the work of the
+/// next half kick, which still uses the force before the change.
 void recordSpringChanges(const WallContext& context, const WallContacts& contacts,
                          const std::vector<SpringState>& springs, const NextStepLengths& next);
 

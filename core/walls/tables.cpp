@@ -16,9 +16,9 @@ struct Plane {
   double w = 0, slope = 0, laplace = 0, drag = 0, shear = 0;
 };
 
-/// Integrals over a plane at distance z: W, -dW/dz, the Laplacian's kernel, and the viscous weight times
-/// x^2/r^2 and x^2 z^2/r^2, x along the plane. The first three times s = |r| are polynomials of degree at
-/// most 7 on either side of 1/2. The five-point Gauss rule is exact for them.
+/// Integrals over a plane at distance z (h) of W, -dW/dz, the Laplacian's kernel, and the viscous weight
+/// times x^2/r^2 and x^2 z^2/r^2, with x along the plane. The first three integrands times s = |r| are
+/// polynomials of degree at most 7 on either side of 1/2, so the five-point Gauss rule is exact for them.
 template<class Kernel> Plane planeAt(double z, double viscousScale) {
   constexpr std::array<double, 5> node{-0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831,
                                        0.9061798459386640};
@@ -59,17 +59,19 @@ template<class Kernel> WallIntegrals integralsOf(const Numerics& n, double visco
 }
 
 WallIntegrals rawIntegrals(const Numerics& n, double d) {
-  constexpr double scale = ViscousWeight{}.scale;  // any scale: dragAt scales the drag
+  constexpr double scale = ViscousWeight{}.scale;  // any scale will do, since dragAt scales the drag
   return withKernel(n.kernel, [&](auto kernel) { return integralsOf<decltype(kernel)>(n, scale, d); });
 }
 
-/// Stress of the raw drag on a layer at the distance d (h) in a linear profile, any unit.
+/// Stress of the raw drag on a layer at the distance d (h) in a linear velocity profile, in an arbitrary
+/// unit.
 double rawStress(const Numerics& n, double d) { return rawIntegrals(n, d).drag * d; }
 
-/// Share of the wall's shear stress that acts on a layer at the distance d (h). The shares of layers one
-/// spacing apart add up to 1, wherever the first one lies. Otherwise liquid whose first layer is nearly a
-/// spacing away would slip. First layers nearer than `nearest` occur in impacts only. There the shares of the
-/// layers behind vary linearly, so that a layer that approaches from outside meets no jump.
+/// Share of the wall's shear stress that acts on a layer at the distance d (h). The shares of layers at
+/// distances of one spacing add up to 1 for any position of the first layer. Otherwise liquid whose first
+/// layer is nearly a spacing from the wall would slip. First layers closer than `nearest` occur only in
+/// impacts. For these, the shares of the layers behind vary linearly, so the share of a layer that approaches
+/// from outside is continuous.
 double shareOfStress(const Numerics& n, double d) {
   constexpr double nearest = 0.4;  // spacings
   const double spacing = 1 / n.support, layer = std::floor(d * n.support), part = d * n.support - layer;
@@ -90,7 +92,8 @@ double shareOfStress(const Numerics& n, double d) {
   return whole > 0 ? rawStress(n, d) / whole : layer == 0 ? 1 : 0;
 }
 
-/// Drag (WallIntegrals::drag): the share of the stress per velocity. Inside of the wall that of its surface.
+/// Drag (WallIntegrals::drag): the share of the stress divided by the velocity. Inside the wall it has its
+/// value at the surface.
 double dragAt(const Numerics& n, double d) {
   const double spacing = 1 / n.support, least = 0.05 * spacing, at = std::max(d, least);
   return shareOfStress(n, at) / (spacing * at);
@@ -103,7 +106,7 @@ template<class Kernel> double secondMoment(double spacing) {
   return sum;
 }
 
-/// Inverse of the second derivative of a temperature as seen by a sum over layers on both sides; 1 for plain
+/// Inverse of the second derivative that a sum over layers on both sides gives for a temperature; 1 for plain
 /// conduction.
 double perConduction(const Numerics& n) {
   if (conductionScale(n) == 1) return 1;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contribution of a wall to the sums of a particle at a distance d, tabulated over d / h, in units of the
-// support radius h. Walls have no particles. A smooth wall is represented by planes of smeared particles, at
-// half a spacing and then at whole spacings below its surface. A particle half a spacing from a wall thus has
-// the same relative density as one inside the lattice. An integral over the half-space would differ by
+// Contribution of a wall to the sums of a particle at a distance d. It is tabulated over d / h, in units of
+// the support radius h. Walls have no particles. A smooth wall is represented by planes of smeared particles,
+// at half a spacing and then at whole spacings below its surface. A particle half a spacing from a wall thus
+// has the same relative density as one inside the lattice. An integral over the half-space would differ by
 // several per cent.
 #pragma once
 #include <vector>
@@ -58,13 +58,13 @@ WallIntegrals wallIntegrals(const Numerics& numerics, double distance);
 WallIntegrals forLiquids(const WallIntegrals& wall, double onLattice);
 
 /// Distance in spacings below which the contribution for liquids continues along its tangent. The unlimited
-/// form is twice as steep a quarter of a spacing from the wall, and four times on it. Few particles in an
-/// impact would then limit the step of all.
+/// form is twice as steep a quarter of a spacing from the wall, and four times on it. A few particles in an
+/// impact would then limit the step of all particles.
 inline constexpr double softBelow = 0.42;
 
-/// Makes tables of forLiquids down to softBelow, and of its tangent below; push stays the derivative of
-/// relativeDensity. conduct uses distances of at least a quarter of a spacing, drag a twentieth.
-/// Interpolation is accurate to 1e-5 except at kinks of drag.
+/// Makes tables of forLiquids at distances above softBelow, and of its tangent below. push remains the
+/// derivative of relativeDensity. Distances count as at least a quarter of a spacing for conduct, and a
+/// twentieth for drag. Interpolation is accurate to 1e-5 except at kinks of drag.
 WallTables makeWallTables(const Numerics& numerics);
 
 }  // namespace thaw

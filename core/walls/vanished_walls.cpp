@@ -20,7 +20,7 @@ struct ParticleContacts {
   std::span<const WallContact> list;
 };
 
-/// Returns the stored energy (J) of a particle as far as it depends on these contacts. added: as for
+/// Returns the part of a particle's stored energy (J) that depends on these contacts. added: as for
 /// wallRelativeDensity.
 double energyWith(const WallContext& x, const LiquidMeasure& measure, const ParticleContacts& contacts,
                   std::vector<double>& added) {

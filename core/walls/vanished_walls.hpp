@@ -14,15 +14,15 @@ namespace thaw {
 struct VanishedWalls {
   Walls walls;
   WallContacts contacts;
-  /// Springs of the contacts, with the contact offsets that they have beside the walls.
+  /// Springs of the contacts, with the contact offsets before the walls vanished.
   std::vector<WallSpring> springs;
 };
 
 /// Returns true if a wall that was present at a time (s) has vanished since.
 bool someVanished(const Walls& walls, double since);
 
-/// Finds the contacts with all walls that were present at a time (s). Distances from walls that vanished are
-/// those of the middle of the step, since the kick at its end lacks their force. Call it before
+/// Finds the contacts with all walls that were present at a time (s). Distances from vanished walls are those
+/// at the middle of the step, since the kick at its end lacks the force of these walls. Call it before
 /// findWallContacts.
 void findVanished(const WallContext& context, double since, VanishedWalls& vanished);
 
@@ -33,7 +33,7 @@ struct LiquidMeasure {
 };
 
 /// Records the change of stored energy in Ledger::wallWork. now: contacts without the walls that vanished.
-/// Requires: relativeDensity, surfaceGradient and surfaceColour of neighbours, without walls.
+/// Requires: relativeDensity, surfaceGradient and surfaceColour from sums over neighbours, without walls.
 void recordVanished(const WallContext& context, const LiquidMeasure& measure, VanishedWalls& vanished,
                     const WallContacts& now);
 

@@ -21,9 +21,10 @@
 namespace thaw {
 namespace {
 
-/// Limits a decay rate r (1/s) for a step dt: unchanged up to r dt = 1/2, smaller beyond, so that it never
-/// overshoots. The neighbours' forces are not averaged over the step. The average of this one, (1 - exp(-r
-/// dt)) / dt, is too low by a fraction r dt / 2, about a tenth, so the liquid would slip.
+/// Limits a decay rate r (1/s) for a step dt (s). It is unchanged up to r dt = 1/2, and reduced beyond,
+/// so that it never overshoots. The exact average over the step, (1 - exp(-r dt)) / dt, is not used. The
+/// forces of neighbours are not averaged, so this average would be too low by a fraction r dt / 2, about a
+/// tenth, and the liquid would slip.
 double overStep(double r, double dt) {
   const double share = r * dt;
   return share > 0.5 ? (1 - 0.5 * std::exp(1 - 2 * share)) / dt : r;
@@ -54,8 +55,9 @@ struct ParticleAtWall {
 };
 
 /// Force (N) along the normal: the wall's part of the hydrostatic pressure gradient. The wall's push uses the
-/// particle's own pressure, but behind the wall the pressure rises by the liquid's weight. The part is the
-/// wall's share of the particle's moment. 0 without positive pressure, as in falling drops.
+/// particle's own pressure, but in liquid in place of the wall, the pressure would increase with the weight.
+/// The wall's part is its share of the particle's moment. The force is 0 without positive pressure, as in
+/// falling drops.
 double hydrostaticWallForce(const Scene& scene, const ParticleAtWall& at, double pressure,
                             double momentShare) {
   constexpr double depth = 0.25;  // spacings of pressure head; the force fades below it
@@ -118,8 +120,8 @@ bool addContactForces(const WallContext& x, const ParticleAtWall& at, Continuum*
   act.resist(n * dash, at.velocity);
   if (stored) stored->interaction[at.row] += 0.5 * k * gap * gap;
   if (f >= 1) return false;
-  // Below this rate, friction does not stop the sliding within the step (or the spring's period), so it never
-  // reverses the motion.
+  // Upper limit of the friction rate. Friction then does not stop the sliding within the step (or the
+  // spring's period), so it never reverses the motion.
   const double stick = std::min(std::sqrt(k * m), 0.5 * m / x.span);
   const SpringFriction friction = springFriction(
       {k, (1 - f) * stick, (1 - f) * at.wall.friction * (spring + dash)}, n,
@@ -151,8 +153,9 @@ class FrictionSpring {
   Vec3d shear_{};
 };
 
-/// Velocity difference (m/s) between the force evaluation and the energy change. Half a kick lies on either
-/// side of now (at the start only after it). With drag the pressure solver records it, except for substeps.
+/// Velocity difference (m/s) between the force evaluation and the energy change. Half a kick precedes the
+/// evaluation and half a kick follows; at the start, only the latter. With Continuum::drag, the pressure
+/// solver records the difference, except for substeps.
 Vec3d halfKick(const WallContext& x, std::size_t i, bool substeps) {
   const Continuum& p = x.world.particles;
   if ((p.clamped.active && p.clamped[i]) || (p.sleep.active && p.sleep[i] != awake)) return {};
@@ -173,7 +176,7 @@ WallSpring wallSpring(const WallContext& x, std::size_t row) {
   // The incompressible solver stops liquids at walls (stopAtWalls); the spring of the state equation is too
   // stiff for its steps.
   const double liquid = x.world.modules.incompressible ? 0 : x.liquids[p.material[row]].stiffness;
-  // A particle that evaporates keeps the frequency of a full one.
+  // The spring frequency of an evaporating particle is that of a full particle.
   const double filled = x.world.modules.evaporation
                             ? p.mass[row] / (restDensityOf(p, s.materials, row) * dx * dx * dx)
                             : 1;
@@ -216,14 +219,14 @@ void addWallForces(const WallContext& x, double inverseLatticeSum, WallContacts&
   const WallContext shorter{w, x.tables, x.liquids, x.dt * x.fast, x.span * x.fast};
   for (std::size_t c = 0; c < list.size();) {
     const std::uint32_t i = list[c].row;
-    if (x.sleeps(i) || touchesAsPiece(p, i)) {  // pieces have contacts of their own (core/rigid/)
+    if (x.sleeps(i) || touchesAsPiece(p, i)) {  // rigid pieces have their own contacts (core/rigid/)
       c++;
       continue;
     }
     const Material& m = w.scene.materials[p.material[i]];
     const double density = restDensityOf(p, w.scene.materials, i);
     const bool substeps = p.fastAcceleration.active && p.solidIndex[i] != noSolid;
-    WallAction act, often;  // often: the part that acts in every substep
+    WallAction act, often;  // often: the part that substeps apply
     FrictionSpring friction(p, i, x.dt, m);
     for (; c < list.size() && list[c].row == i; c++) {
       const Wall& wall = w.walls.list[list[c].wall];
@@ -264,7 +267,8 @@ WallLoad wallLoad(const WallContext& x, double inverseLatticeSum, const WallCont
   const WallView& w = x.world;
   const Continuum& p = w.particles;
   WallLoad load;
-  const WallContext still{w, x.tables, x.liquids, 0, x.span};  // friction springs keep their displacement
+  const WallContext still{w, x.tables, x.liquids, 0, x.span};  // with dt = 0, friction springs keep their
+                                                               // displacement
   std::optional<FrictionSpring> friction;                      // spring of the current row
   std::size_t row = w.particles.owned;
   for (const WallContact& c : contacts.list) {

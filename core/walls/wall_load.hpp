@@ -13,9 +13,9 @@ struct WallLoad {
 };
 
 /// Returns the reaction to the forces of a wall and of its images: pressure, drag, surface tension of 90
-/// degrees, and contact. wall: index in Walls::list of an original. It changes nothing, so only programs that
-/// read loads have their cost. Contacts that act in substeps count with their force at the end of the step.
-/// Requires: densities and contacts of the current positions; explicit pressure and viscosity.
+/// degrees, and contact. wall: index in Walls::list of an original. It has no side effects, so only
+/// programs that read loads pay for them. Contacts that act in substeps contribute their force at the end of
+/// the step. Requires: densities and contacts of the current positions; explicit pressure and viscosity.
 WallLoad wallLoad(const WallContext& context, double inverseLatticeSum, const WallContacts& contacts,
                   std::size_t wall);
 

@@ -7,17 +7,17 @@
 namespace thaw {
 namespace {
 
-/// Orthonormal basis of the normals of walls near a particle.
+/// Orthonormal basis of the space spanned by the normals of walls near a particle.
 struct NormalBasis {
   std::array<Vec3d, 3> axis;
   std::size_t count = 0;
 };
 
-/// Sine of the angle between normals that count as one.
+/// Sine of the angle below which two normals count as equal.
 constexpr double sameNormal = 0.02;
 
 /// Returns the basis for walls nearer than `reach` (m). In a wedge, normals that are not orthogonal must not
-/// be used one after the other. The second would undo part of what the first did.
+/// be applied one after the other: the second would partly undo the effect of the first.
 NormalBasis normalBasis(std::span<const WallContact> contacts, double reach) {
   NormalBasis b;
   for (const WallContact& c : contacts) {
@@ -35,17 +35,17 @@ Sym3d plusPairOf(const Sym3d& m, const Vec3d& n, const Vec3d& v) {
           m.xy + n.x * v.y + n.y * v.x, m.yz + n.y * v.z + n.z * v.y, m.xz + n.x * v.z + n.z * v.x};
 }
 
-/// Moment at a wall with the normal n, whose part with n is that of the unit matrix. The sums contain only
-/// liquid neighbours. Along the normal, the wall's force balances a uniform pressure.
+/// Moment at a wall with the normal n, whose components with n are those of the unit matrix. The sums contain
+/// only liquid neighbours. Along the normal, the wall's force balances a uniform pressure.
 Sym3d alongWall(const Sym3d& moment, const Vec3d& n) {
   const Vec3d m = moment * n;
   return plusPairOf(moment, n, n * (0.5 * (dot(n, m) + 1)) - m);
 }
 
-/// Adds `share` of the part m of a moment that couples n with the wall's plane, over the liquid's n-n part,
-/// to the moment along the wall. The inverse is still 1 along n, and shear along the wall does not change the
-/// density to first order in m. The pressure of liquid whose layers are offset then does not resist it. With
-/// hardly any liquid across the wall, m is left out.
+/// Adds `share` of the part m of a moment that couples n with the wall's plane, divided by the liquid's n-n
+/// part, to the moment along the wall. The inverse is still 1 along n, and shear along the wall does not
+/// change the density to first order in m. The pressure of liquid with offset layers thus does not resist
+/// shear. With hardly any liquid across the wall, m is ignored.
 Sym3d withShear(const Sym3d& along, const Sym3d& moment, const Vec3d& n, double share) {
   constexpr double faint = 0.25;  // n-n part; 0.5 in the outermost layer of a lattice
   const Mat3d whole = full(along);

@@ -8,8 +8,8 @@
 
 namespace thaw {
 
-/// Returns the moment at all walls near a particle. Where a second wall comes close, at an angle to the
-/// nearest one, the liquid between them cannot shear along either.
+/// Returns the moment at all walls near a particle. If a second wall comes close at an angle to the nearest
+/// one, the liquid between the walls cannot shear along either wall.
 Sym3d alongAllWalls(const Sym3d& moment, std::span<const WallContact> contacts, double h);
 
 /// Removes the components of a vector along the normals of adjacent walls.

@@ -22,11 +22,12 @@ Vec3d outward(const WallView& w, const Bonds& bonds, std::uint32_t solidIndex) {
   return sum;
 }
 
-/// Distance (spacings) at which offsets are found: before contact begins, also within substeps.
+/// Distance (spacings) at which offsets are determined. It is large enough for this to happen before contact
+/// begins, even within substeps.
 constexpr double sight = longestSpring + 0.1;
 
-/// Share (1) of the depth that applies where the surface and the wall face each other with this cosine. It is
-/// 1 on lattice balls, whose directions are off by up to 21 degrees, and 0 at edges of 90 degrees.
+/// Share (1) of the depth that applies if the surface and the wall face each other with this cosine. It is 1
+/// on lattice balls, whose surface directions have errors of up to 21 degrees, and 0 at edges of 90 degrees.
 double facingShare(double cosine) {
   constexpr double none = 0.72, all = 0.85;
   const double t = std::clamp((cosine - none) / (all - none), 0.0, 1.0);

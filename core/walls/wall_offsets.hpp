@@ -7,8 +7,8 @@
 namespace thaw {
 
 /// Returns true if the surface of a solid moves with its particles: it neither flows nor melts. Only such
-/// solids have wall offsets and friction springs. Pastes on springs would slump too little, and surfaces that
-/// melt on them would gain energy.
+/// solids have wall offsets and friction springs. On friction springs, pastes would slump too little, and
+/// melting surfaces would gain energy.
 inline bool keepsSurface(const Material& m) { return !m.yields() && !m.melts(); }
 
 /// Sets Continuum::wallOffset of particles close to walls: half a spacing, or Continuum::contactDepth where

@@ -68,8 +68,8 @@ double forceAlong(const SurfaceContext& x, const WallContact& c, const SurfaceSt
          (dot(state.byGradient, c.normal) * t.bend + state.byColour * t.slope);
 }
 
-/// Adds the forces of a particle's walls. Its state without the walls of one angle does not depend on the
-/// distance from these.
+/// Adds the forces of a particle's walls. The state without the walls of one angle does not depend on the
+/// distance from these walls.
 void addForces(const SurfaceContext& x, const SurfaceParticle& p, const SurfaceState& all, double dt) {
   const WallView& w = x.world;
   const auto addAt = [&](double wetting, const SurfaceState& state) {
@@ -179,7 +179,7 @@ void recordTensionChange(const SurfaceContext& x, const WallContacts& contacts) 
     const double f = liquidFraction(p, i), before = tensionOfParticle(w, i),
                  after = static_cast<double>(static_cast<float>(surfaceTensionAt(m, p.temperature[i])));
     if (after == before || !(f > 0 && before > 0)) continue;
-    // A particle without liquid at the evaluation had no surface energy, and its sums may be missing.
+    // A particle that was not liquid at the evaluation had no surface energy, and its sums may be missing.
     if (p.surfaceEnergyByColour[i] == 0 &&
         dot(p.surfaceEnergyByGradient[i], p.surfaceEnergyByGradient[i]) == 0)
       continue;

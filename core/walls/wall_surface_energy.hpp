@@ -3,9 +3,9 @@
 //
 // A wall counts as liquid, which gives a contact angle of 90 degrees. At an angle theta a particle has
 //   E = E(with walls) - cos(theta) (E(without) - E(with walls)),
-// where `without` leaves out the walls of that angle. The difference is the surface that the wall covers, so
-// the covered area costs -gamma cos(theta), as in Young's law. Forces are the derivatives, so energy is
-// conserved.
+// where `without` excludes the walls of that angle. The difference is the energy of the surface that the wall
+// covers, so the covered area costs -gamma cos(theta), as in Young's law. Forces are the derivatives, so
+// energy is conserved.
 #pragma once
 #include <span>
 
@@ -16,13 +16,13 @@ namespace thaw {
 
 /// Cosine of the contact angle: the wall's angle, else that of the material. 0 at 90 degrees.
 double wettingOf(const Material& material, const Obstacle& wall);
-/// Returns it for the particle and the wall of a contact.
+/// Returns the cosine of the contact angle for the particle and the wall of a contact.
 double wettingAt(const WallView& world, const WallContact& contact);
 
 /// Updates Continuum::surfaceTension of owned particles. Requires: Modules::tensionTable.
 void updateSurfaceTension(const WallView& world);
 
-/// Surface tension (N/m) of a particle where it is liquid.
+/// Surface tension (N/m) of the liquid part of a particle.
 double tensionOfParticle(const WallView& world, std::size_t row);
 
 struct SurfaceContext {
@@ -57,8 +57,8 @@ void findSurfaceEnergy(const WallContext& context, const SurfaceMeasure& measure
 double surfaceForceOfWall(const Scene& scene, const CellGrid& grid, const Continuum& particles,
                           const WallContact& contact);
 
-/// Records the change of surface energy by that of the tension with the temperature. Call it after the
-/// temperatures and before positions change. Requires: Modules::tensionTable.
+/// Records the change of surface energy due to the temperature dependence of the tension. Call it after
+/// temperatures change and before positions change. Requires: Modules::tensionTable.
 void recordTensionChange(const SurfaceContext& context, const WallContacts& contacts);
 
 }  // namespace thaw

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The data of a run that walls act on.
+// The data of a run on which walls act.
 #pragma once
 #include "core/ledger/counters.hpp"
 #include "core/ledger/ledger.hpp"

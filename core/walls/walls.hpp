@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Obstacles and domain walls at run time: signed distances, moving, with a temperature or insulating.
+// Obstacles and domain walls at run time, given by signed distances. Walls may move, and have a temperature
+// or are insulating.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -32,16 +33,17 @@ struct Walls {
   std::vector<Wall> list;
 };
 
-/// Adds a half-space for each wall side of the domain: insulating, no slip for liquids, friction 0.3.
+/// Adds a half-space for each wall side of the domain. It is insulating, has no slip for liquids, and a
+/// friction of 0.3.
 void addDomainWalls(const Domain& domain, Walls& walls);
 
-/// Inserts images of the obstacles across periodic sides behind each original: all images that come within
-/// `reach` (m) of the domain as they move. Shapes at least as long as the domain have none along that axis.
-/// Call it once, on the complete list.
+/// Inserts the images of each obstacle across periodic sides behind the original. These are all images that
+/// come within `reach` (m) of the domain as they move. Shapes at least as long as the domain along an axis
+/// have no images along it. Call it once, on the complete list.
 void addWallImages(const Domain& domain, double reach, Walls& walls);
 
 /// Returns the axes ("x", "xy", ...) along which a shape differs within `reach` (m) of both periodic sides.
-/// Such a shape is as long as the domain, and so without images.
+/// Such a shape is as long as the domain, and thus has no images.
 std::string unevenAxes(const Domain& domain, const Wall& wall, double reach);
 
 /// Sets poses at a time (s), linear between keyframes; expired obstacles are no longer present.
@@ -50,12 +52,12 @@ void moveWalls(Walls& walls, double time);
 /// Velocity (m/s) of the wall at a position.
 Vec3d wallVelocity(const Wall& wall, const Vec3d& x);
 
-/// Returns true if a present wall contains a position deeper than a quarter of a spacing (m); samples there
-/// are invalid.
+/// Returns true if a present wall contains a position deeper than a quarter of a spacing. Samples there are
+/// invalid. spacing: m.
 bool holdsSample(const Wall& wall, const Vec3d& x, double spacing);
 
-/// Contact of a particle with a wall. The shares exclude what another wall already contributes, at corners
-/// and where walls coincide.
+/// Contact of a particle with a wall. The shares exclude contributions of other walls, at corners and where
+/// walls coincide.
 struct WallContact {
   std::uint32_t row, wall;
   double distance;       ///< m, negative inside the wall
@@ -68,19 +70,19 @@ struct WallContact {
 struct Projection {
   std::uint32_t row;
   Vec3d moved;    ///< m
-  Vec3d stopped;  ///< m/s, velocity into the wall, which it lost
+  Vec3d stopped;  ///< m/s, removed velocity into the wall
 };
 
-/// Contacts of owned particles within a support radius, by row and then by wall: the order of sums. Reused in
-/// each step.
+/// Contacts of owned particles within a support radius, by row and then by wall. Sums use this order. The
+/// lists are reused in each step.
 struct WallContacts {
   std::vector<WallContact> list;
   std::vector<Projection> projections;
   std::vector<std::uint32_t> reachable;  ///< walls within reach of the current cell
   std::vector<double> added;             ///< relative density added by each wall of the current particle
   ExactSum fast[3];                      ///< N, part of Ledger::wallForce that acts in every substep
-  double stiffest = 0;  ///< 1/s, largest sound speed times derivative of the relative density by a wall;
-                        ///< limits the step
+  double stiffest = 0;  ///< 1/s, largest product of sound speed and wall's derivative of the relative
+                        ///< density; limits the step
 };
 
 }  // namespace thaw

@@ -16,18 +16,18 @@
 namespace thaw {
 namespace {
 
-/// Sums over a surface in integers, which do not depend on the order: area, three components of the force,
-/// and the number of particles where it is open.
+/// Number of integer sums per surface: area, three components of the force, and the number of particles where
+/// the surface is open. Integer sums do not depend on the order.
 constexpr std::size_t wordsOfSurface = 5;
 
-/// Bits of the largest summand. Sums over up to 2^26 particles have no overflow, and each summand has an
-/// error of 2^-37 of the largest one.
+/// Bits of the largest summand. Sums over up to 2^26 particles do not overflow. Each summand has an error of
+/// 2^-37 of the largest summand.
 constexpr int summandBits = 36;
 
 /// Surfaces with particles on this rank.
 struct Surfaces {
   std::vector<std::uint64_t> label;  ///< 1 + the smallest id of its particles, ascending
-  std::vector<std::uint32_t> of;     ///< number of the surface of each owned row at a surface
+  std::vector<std::uint32_t> of;     ///< index of the surface of each owned row at a surface
 };
 
 /// Labels the connected particles at the surface of all ranks.
@@ -53,7 +53,7 @@ Surfaces findSurfaces(const CurvatureContext& x) {
   return s;
 }
 
-/// Units of areas and forces in the sums: powers of two, so products with them are exact.
+/// Units of areas and forces in the sums. They are powers of two, so products with them are exact.
 struct Units {
   double area, force;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forces on closed surfaces. A free drop, or a bubble, bears no net force of its own tension. The integral of
-// -gamma kappa n + grad_s gamma over a closed surface is 0. Errors of the curvature leave a sum, which is
-// subtracted in proportion to the areas of the particles, so momentum is conserved.
+// Forces on closed surfaces. The surface tension of a free drop or bubble exerts no net force on it: the
+// integral of -gamma kappa n + grad_s gamma over a closed surface is 0. Errors of the curvature leave a net
+// force, which is subtracted in proportion to the areas of the particles. Momentum is thus conserved.
 #pragma once
 #include "core/flow/curvature/surface_curvature.hpp"
 

@@ -17,27 +17,28 @@
 namespace thaw {
 namespace {
 
-/// Bounds of the colour gradient over that of a flat surface, between which the weight rises from 0 to 1.
-/// Disorder inside the liquid gives up to 0.3.
+/// Colour gradients, relative to that of a flat surface, between which the weight rises from 0 to 1. Disorder
+/// inside the liquid causes values up to 0.3.
 constexpr double insideGradient = 0.35, surfaceGradientFrom = 0.6;
 
-/// Distances from a wall in spacings. Up to the first, the normal is that of the contact angle; from the
-/// second, that of the colour gradient.
+/// Distances from a wall in spacings. Up to the first distance, the normal follows from the contact angle.
+/// Beyond the second, it follows from the colour gradient.
 constexpr double wallNormalUpTo = 0.5, ownNormalFrom = 1.5;
 
-/// Colours between which a layer counts as resolved. A film of one layer has 0.62 of the full lattice, and a
-/// flat face 0.81.
+/// Colours, relative to the full lattice, between which a layer becomes resolved. A film of one layer has
+/// 0.62, and a flat face 0.81.
 constexpr double filmColour = 0.68, faceColour = 0.8;
 
-/// Sums of 1 - q^2 over neighbours at the same face, between which an edge counts as resolved. The edge of a
-/// film of one layer has 1.5, that of two layers 4.
+/// Sums of 1 - q^2 over neighbours at the same face, between which an edge becomes resolved. The edge of a
+/// film of one layer has 1.5, and of a film of two layers 4.
 constexpr double fewNeighbours = 2, enoughNeighbours = 3.5;
 
-/// Largest area of an element in squares of the spacing; few neighbours give too large an area.
+/// Largest area of an element in squares of the spacing. The area of an element with few neighbours would be
+/// too large.
 constexpr double largestArea = 2;
 
-/// Largest difference of the curvatures from normals and from positions, times the spacing. Disorder of a
-/// smooth surface gives up to 1.5.
+/// Largest difference between the curvature from normals and the curvature from positions, times the spacing.
+/// Disorder on a smooth surface causes values up to 1.5.
 constexpr double curvatureMargin = 2;
 
 Vec3d unitOrZero(const Vec3d& v) {
@@ -57,9 +58,9 @@ const WallContact* closestWall(const CurvatureContext& x, std::uint32_t row) {
   return closest;
 }
 
-/// Replaces the normal close to a wall by that of the contact angle, n = m cos(theta) + t sin(theta). m is
-/// the normal of the wall, and t the direction of the colour gradient along it. A film along the wall keeps
-/// its own normal.
+/// Near a wall, replaces the normal by the one that follows from the contact angle, n = m cos(theta) + t
+/// sin(theta). Here m is the normal of the wall, and t the direction of the colour gradient along the wall. A
+/// film along the wall keeps its own normal.
 Vec3d normalAtWall(const CurvatureContext& x, std::uint32_t i, const Vec3d& n) {
   const WallContact* c = closestWall(x, i);
   const WallView& w = x.world;
@@ -78,9 +79,9 @@ Vec3d normalAtWall(const CurvatureContext& x, std::uint32_t i, const Vec3d& n) {
 /// Normals and weights of owned rows from the colour gradient, walls included. surfaceColour becomes the
 /// colour over that of the full lattice, the particle itself included.
 ///
-/// Beyond 90 degrees, a drop overhangs its wall. There the wall counts partly as gas in the direction of the
-/// normal, wholly at 180 degrees. Otherwise the kernel fills the wedge of gas, and the surface appears
-/// upright.
+/// At contact angles beyond 90 degrees, a drop overhangs its wall. For the direction of the normal, the wall
+/// then counts partly as gas, and wholly at 180 degrees. Otherwise the kernel would fill the wedge of gas,
+/// and the surface would appear upright.
 void startNormals(const CurvatureContext& x) {
   const WallView& w = x.world;
   Continuum& p = w.particles;
@@ -122,8 +123,9 @@ double flatColourGradient(const Numerics& numerics) {
 
 namespace {
 
-/// Sets FreeSurfaceElement::resolved of owned rows, from the colour, or the number of neighbours at the same
-/// face of the surface. Single liquid particles on a solid have its colour, but no surface.
+/// Sets FreeSurfaceElement::resolved of owned rows from the colour, or from the number of neighbours at the
+/// same face of the surface. A single liquid particle on a solid has the colour of the solid, but no resolved
+/// surface.
 void findResolved(const CurvatureContext& x, std::vector<FreeSurfaceElement>& elements) {
   const Continuum& p = x.world.particles;
   for (std::uint32_t i = 0; i < p.owned; i++)
@@ -160,14 +162,15 @@ void findSurfaceNormals(const CurvatureContext& x, std::vector<FreeSurfaceElemen
   refreshSurface(x, p.surfaceGradient);
 }
 
-/// Returns the gradient (N/m^2) of the tension, times the area of the surface half a spacing outside of the
-/// particles over that at the particles. In a direction with the curvature k, lengths grow by 1 + k dx / 2.
-/// Curvature and gradient then belong to one surface, so over a closed one the forces add up to 0.
+/// Returns the gradient (N/m^2) of the tension, scaled to the surface half a spacing outside of the
+/// particles. The scale is the ratio of the areas; in a direction of curvature k, lengths grow by 1 + k dx
+/// / 2. Curvature and gradient then refer to the same surface, so the forces on a closed surface add up to 0.
 Vec3d gradientOutside(const TangentFit& fit, double h, double dx) {
   const double half = 0.5 * dx / h;
   double xx = half * fit.slope[0][0], yy = half * fit.slope[1][1],
          xy = 0.5 * half * (fit.slope[0][1] + fit.slope[1][0]);
-  const double largest = std::max({std::abs(xx), std::abs(xy), std::abs(yy), 1.0});  // 1: a single particle
+  const double largest = std::max({std::abs(xx), std::abs(xy), std::abs(yy), 1.0});  // at least 1, for a
+                                                                                     // single particle
   xx /= largest, xy /= largest, yy /= largest;
   const double u = fit.tension[0] / h, v = fit.tension[1] / h;
   return fit.first * ((1 + yy) * u - xy * v) + fit.second * ((1 + xx) * v - xy * u);
@@ -208,8 +211,8 @@ void findElement(const CurvatureContext& x, std::uint32_t i, std::size_t g, std:
   e.tensionGradient = gradientOutside(fit, h, dx);
 }
 
-/// Averages the curvature over the neighbours. A particle that sticks out of the surface, or lies below it,
-/// is not pushed further by the curvature of its neighbours.
+/// Averages the curvature over the neighbours. The average does not push a particle further that sticks
+/// out of the surface or lies below it.
 double meanCurvature(const CurvatureContext& x, std::uint32_t i, std::size_t g, std::size_t l, double bulge) {
   const Continuum& p = x.world.particles;
   double weights = weightOf(p, i), sum = weights * p.surfaceColour[i];

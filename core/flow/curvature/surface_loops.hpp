@@ -47,20 +47,20 @@ inline bool hasSolidNeighbour(const CurvatureContext& x, std::size_t g, std::siz
   return false;
 }
 
-/// Returns the share of a wall in the force on a particle: 1 on the wall, 0 from 1.5 spacings on.
+/// Returns the wall's share (1) of the force on a particle: 1 on the wall, 0 beyond 1.5 spacings.
 inline double shareOfWall(const CurvatureContext& x, const WallContact& c) {
   constexpr double wholeUpTo = 0.75, noneFrom = 1.5;  // distances in spacings
   return std::clamp((noneFrom - c.distance / x.world.scene.spacing) / (noneFrom - wholeUpTo), 0.0, 1.0);
 }
 
-/// Returns 0 up to `from`, 1 from `to` on, and a cubic between.
+/// Returns 0 up to `from`, 1 beyond `to`, and a smooth cubic in between.
 inline double smoothStep(double from, double to, double x) {
   const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
   return t * t * (3 - 2 * t);
 }
 
-/// Returns 1 for particles at one face of a surface, 0 for those at opposite faces of a film, from vectors
-/// along their normals. Smooth between angles of 60 and 120 degrees.
+/// Returns 1 for particles at the same face of a surface, and 0 for particles at opposite faces of a film. a,
+/// b: vectors along their normals. The transition lies between angles of 60 and 120 degrees.
 inline double sameFace(const Vec3d& a, const Vec3d& b) {
   const double size = length(a) * length(b);
   return size > 0 ? smoothStep(-0.5, 0.5, dot(a, b) / size) : 1;

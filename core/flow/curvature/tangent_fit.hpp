@@ -28,7 +28,8 @@ struct TangentFit {
     slope[1][0] += w * y * u, slope[1][1] += w * y * v;
     tension[0] += w * x * rise, tension[1] += w * y * rise;
   }
-  /// Adds the mirror image of a neighbour behind a wall, so that the area beside the wall is not too large.
+  /// Adds the mirror image of a neighbour behind a wall. Without it, the area next to the wall would be too
+  /// large.
   void addImage(double weight, const Vec3d& d) {
     const double near = std::max(1 - dot(d, d), 0.0);
     number += weight * near * near;
@@ -37,7 +38,7 @@ struct TangentFit {
   /// neighbours below its tangent plane. Requires: solvable().
   double bulge() const { return 4 * depth / (xx + yy); }
   bool solvable() const { return xx + yy > 1e-3; }
-  /// Solves the fit. The small multiple of the identity bounds the slopes of particles with few neighbours.
+  /// Solves the fit. A small multiple of the identity bounds the slopes of particles with few neighbours.
   void solve() {
     const double small = 1e-3 * (xx + yy), a = xx + small, b = yy + small, det = a * b - xy * xy;
     const auto inverse = [&](double& s, double& t) {

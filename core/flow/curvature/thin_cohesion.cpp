@@ -14,13 +14,14 @@
 namespace thaw {
 namespace {
 
-/// q (1 - q)^2 (q - a), repulsive below q = a, and its moment int_0^1 q^4 phi dq (TP16 eq. 14).
+/// The force factor is phi = q (1 - q)^2 (q - a), repulsive below q = a. Its moment is int_0^1 q^4 phi dq
+/// (TP16 eq. 14).
 constexpr double repulsiveBelow = 0.4, moment = 1.0 / 252 - repulsiveBelow / 168;
 double cohesionAt(double q) { return q * (1 - q) * (1 - q) * (q - repulsiveBelow); }
 
-/// Returns the tension of a film over that of one between two gases. On a wall, one face is covered, which
-/// leaves gamma (1 - cos(theta)) of 2 gamma. It acts between particles that are both on a wall. Liquid above
-/// them is held by its full cohesion, and spreads on them as on liquid.
+/// Returns the tension of a film, relative to a film with gas on both sides. A wall covers one face, which
+/// leaves gamma (1 - cos(theta)) of 2 gamma. The reduction applies only to pairs of particles that are both
+/// on a wall. Liquid above them has full cohesion with them, and spreads on them as on liquid.
 double uncovered(const CurvatureContext& x, std::uint32_t row) {
   double least = 1;
   for (const WallContact& c : contactsOf(x.contacts, row))

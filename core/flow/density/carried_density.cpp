@@ -15,8 +15,8 @@
 namespace thaw {
 namespace {
 
-/// Slope of the wall's part of the relative density, times h. The wall's pressure force (wall_forces.cpp) has
-/// the same slope, so force and density rate are adjoint.
+/// Slope of the wall's part of the relative density, times h. The wall's pressure force (wall_forces.cpp)
+/// uses the same slope, so force and density rate are adjoint.
 double wallSlope(const CarryContext& x, const WallContact& c) {
   return x.inverseLatticeSum * x.wallTables(c.distance / x.grid.support).push * c.share;
 }
@@ -31,9 +31,10 @@ StepVelocity relativeVelocity(const CarryContext& x, const WallContact& c) {
   return {v.flow - wall, v.all - wall};
 }
 
-/// Moves a contact back to the start of the step. Beyond `edgeReach` spacings the wall is a plane. Nearer,
-/// its normal turns where the particle passes a convex edge. With the normal of the end of the step, the work
-/// there would have a first-order error. nearest: the contact is with the wall's nearest face.
+/// Moves a contact back to the start of the step. Beyond `edgeReach` spacings the wall is treated as a plane.
+/// At smaller distances, its normal turns where the particle passes a convex edge. With the normal at the
+/// end of the step, the work at such an edge would have a first-order error. nearest: the contact is with the
+/// wall's nearest face.
 void moveToStart(const CarryContext& x, WallContact& c, bool nearest) {
   constexpr double edgeReach = 1, smallestTurn = 0.01;  // rad, smaller turns are neglected
   const Continuum& p = x.particles;
@@ -45,13 +46,14 @@ void moveToStart(const CarryContext& x, WallContact& c, bool nearest) {
   const Wall& wall = x.walls.list[c.wall];
   Vec3d normal;
   const double distance = wall.shape->distance(toRest(wall.pose, p.position[c.row] + back), &normal);
-  // Less than the distance from the plane: another face of a concave wall, which has a contact of its own.
+  // If it is less than the distance from the plane, it belongs to another face of a concave wall, which has
+  // its own contact.
   if (distance <= c.distance + 1e-3 * along) return;
   c.distance = distance;
   c.normal = directionFromRest(wall.pose, normal);
 }
 
-/// Contacts of a row at the start of the step, with the shares that they had there.
+/// Returns the contacts of a row at the start of the step, with their shares at that time.
 std::span<const WallContact> atStart(const CarryContext& x, std::span<const WallContact> now) {
   std::vector<WallContact>& start = x.carry.startContacts;
   start.assign(now.begin(), now.end());
@@ -68,9 +70,9 @@ double wallRate(const CarryContext& x, const WallContact& c) {
   return -wallSlope(x, c) / x.grid.support * dot(relativeVelocity(x, c).flow, c.normal);
 }
 
-/// Adds the walls' parts to the sums of a row. Their density rate is the mean of both ends of the step, like
-/// the work of their forces. The compression then receives this work to second order, also where walls
-/// overlap.
+/// Adds the walls' parts to the sums of a row. The walls' density rate is the mean of its values at both
+/// ends of the step, like the work of the wall forces. The change of compression energy then equals this work
+/// to second order, even where walls overlap.
 void addWallsTo(const void* context, std::uint32_t row, CarryRow& r) {
   const CarryContext& x = *static_cast<const CarryContext*>(context);
   WallContacts& contacts = x.wallContacts;
@@ -166,7 +168,7 @@ void resetCarriedDensity(const CarryStep& x, float* relativeDensity, std::uint32
 
 namespace {
 
-/// Resets the particles of groups without liquid, over which no sum goes.
+/// Resets the particles of groups without liquid, which the sums skip.
 void resetDryGroups(const CarryContext& x) {
   const NeighbourLists& lists = x.neighbours;
   const CarryStep step = carryStepOf(x);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Density by continuity, and particle shifting. The density sums advance the carried densities
-// (terms/carried_density.hpp, terms/carry.hpp); here is what comes before and after them.
+// (terms/carried_density.hpp, terms/carry.hpp). This file prepares and completes these sums.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -37,22 +37,22 @@ struct CarryContext {
   CarryWork& carry;
   WallContacts& wallContacts;
   const std::vector<std::uint8_t>& steady;  ///< SleepWork::steady
-  double dt;  ///< s, last step; 0: at the start, when only free surface, shifting and gradient correction
-              ///< change
+  double dt;  ///< s, last step; 0 at the start, when only the free surface, shifting and gradient correction
+              ///< are computed
 };
 
-/// Before the density sums of a step. Requires: wall contacts.
+/// Prepares the density sums of a step. Requires: wall contacts.
 void beginCarry(const CarryContext& context);
 
-/// Input and output for the density sums; it refers to the context.
+/// Returns the input and output of the density sums. The result refers to data of the context.
 CarryStep carryStepOf(const CarryContext& context);
 
 /// Ends the step of carried densities after the density sums: resets particles without liquid nearby, and
 /// stores the summed densities that later checks need.
 void finishCarry(const CarryContext& context);
 
-/// Sets shifting velocities with summed densities: inside the liquid, down the concentration gradient. At a
-/// free surface, where the gradient is along its normal, they are zero.
+/// Sets shifting velocities with summed densities. Inside the liquid they point down the concentration
+/// gradient. At a free surface, where the gradient is along the normal, they are zero.
 void shiftInside(const CarryContext& context);
 
 }  // namespace thaw

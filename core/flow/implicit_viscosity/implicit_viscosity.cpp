@@ -62,7 +62,7 @@ void packVelocities(Solver& s, std::size_t begin, std::size_t end) {
   }
 }
 
-/// product = L times the velocities in viscousSearch, which are sent to ghosts on the way.
+/// Sets product = L times the velocities in viscousSearch. The velocities are sent to ghosts meanwhile.
 void applyPairs(Solver& s, ViscousPass pass) {
   Continuum& p = s.p;
   ViscousWork& k = s.work;
@@ -115,7 +115,7 @@ Sym3d inverse(const Sym3d& a) {
           d * xy, d * (a.xy * a.xz - a.xx * a.yz), d * xz};
 }
 
-/// Exact sums over the particles of all ranks: the same bits on any number of ranks.
+/// Exact sums over the particles of all ranks, with the same bits on any number of ranks.
 template<std::size_t n> std::array<double, n> sumOver(Solver& s, std::array<ExactSum, n>& sum) {
   std::array<std::int64_t, n * ExactSum::digits> digit;
   for (std::size_t k = 0; k < n; k++) {
@@ -141,13 +141,13 @@ struct Progress {
   double excess = 0;     ///< |error|^2 minus the tolerance, kg m^2/s^2; converged if at most 0
 };
 
-/// Lets the velocities (m/s) of rigid pieces move together. Collective.
+/// Makes the velocities (m/s) of the particles in rigid pieces those of rigid motion. Collective.
 void join(Solver& s, Vec3d* velocities) {
   if (s.view.joint) s.view.joint->join({velocities, s.p.owned});
 }
 
-/// Preconditions the residual. The error M^-1 r of the velocities is compared with their change by viscosity,
-/// u - goal. A millionth of the goal is added for bodies in rigid motion, where viscosity changes nothing.
+/// Preconditions the residual, and compares the velocity error M^-1 r with the velocity change by viscosity,
+/// u - goal. A millionth of the goal is added for bodies in rigid motion, in which viscosity changes nothing.
 Progress assess(Solver& s) {
   ViscousWork& k = s.work;
   const double tolerance2 = s.w.scene.numerics.viscosityTolerance * s.w.scene.numerics.viscosityTolerance;
@@ -159,7 +159,7 @@ Progress assess(Solver& s) {
     const Vec3d &r = k.residual[i], change = k.solution[i] - k.goal[i];
     sum[0].add(dot(r, k.ready[i]));
     const double m = s.p.mass[i];
-    // The residual of a rigid piece counts as far as it moves the piece.
+    // For a rigid piece, only the part of the residual that moves the piece counts.
     const double error2 = isRigid(s.p, i) ? m * dot(k.ready[i], k.ready[i]) : dot(r, r) / m;
     sum[1].add(error2 - tolerance2 * m * (dot(change, change) + 1e-12 * dot(k.goal[i], k.goal[i])));
   }

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Implicit viscosity without a step limit (after WKBB18): backward Euler, a linear system for the velocities,
-// solved by conjugate gradients.
+// Implicit viscosity without a step limit (after WKBB18). Backward Euler gives a linear system for the
+// velocities, which conjugate gradients solve.
 //
 // The leap-frog velocity v lives at half steps: v' = v + dt (F + F_visc) / m, F the other forces. F_visc = -L
 // (v') - W (v' - v_wall) is taken at the new velocity: (M + dt L + dt W) v' = M v + dt F + dt W v_wall. L is
-// the operator of the explicit pair sum, W the drag of walls. Both are symmetric and not negative, so the
-// matrix is symmetric positive definite for any step and viscosity contrast. F_visc is a sum of pair forces,
-// equal and opposite along the line between two particles. Momentum and angular momentum are thus conserved
-// to rounding after any number of iterations. The steady state equals that of the explicit step. The energy
-// budget records the loss of the whole kick in the step of the force evaluation, as for explicit forces. It
-// leads by half a kick. The lead grows with the step but does not accumulate.
+// the operator of the explicit pair sum, W the drag of walls. L and W are symmetric and positive
+// semidefinite, so the matrix is symmetric positive definite for any step and viscosity contrast. F_visc is a
+// sum of pair forces, equal and opposite along the line between two particles. Momentum and angular momentum
+// are thus conserved to rounding after any number of iterations. The steady state equals that of the explicit
+// step. The energy budget records the loss of the whole kick in the step of the force evaluation, as for
+// explicit forces. The recorded loss thus leads by half a kick. The lead grows with the step but does not
+// accumulate.
 //
 // Differences to the paper: the pair sum is that of the explicit form (no dimension factor or artificial
 // scaling; walls by tables). Solid particles, bonded or not, are unknowns, and clamped and driven particles
@@ -29,7 +30,7 @@
 
 namespace thaw {
 
-/// The data of a step that the solver uses beside those of walls (WallContext).
+/// The data of a step that the solver uses in addition to WallContext.
 struct ViscosityView {
   const NeighbourLists& neighbours;
   const PairKernels& kernels;

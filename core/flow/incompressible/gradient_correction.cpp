@@ -17,17 +17,17 @@ bool eigenvaluesAbove(const Sym3d& m, double least) {
   return r.xx > 0 && r.xx * r.yy - r.xy * r.xy > 0 && determinant(full(r)) > 0;
 }
 
-/// Weight of the correction, from 0 at a summed relative density of 0.9 to 1 at 0.95: a free surface
-/// truncates the sums. It is 0 where neighbours are on one side or the correction would be large.
+/// Weight of the correction. It rises from 0 at a summed relative density of 0.9 to 1 at 0.95, since a free
+/// surface truncates the sums. It is 0 if neighbours are on one side or the correction would be large.
 float insideWeight(double relativeDensity, const Sym3d& moment, double asymmetry) {
   constexpr double leastEigenvalue = 0.4, outside = 0.9, width = 0.05;
   if (asymmetry > surfaceAsymmetry || !eigenvaluesAbove(moment, leastEigenvalue)) return 0;
   return static_cast<float>(std::clamp((relativeDensity - outside) / width, 0.0, 1.0));
 }
 
-/// Reduces the weight of the correction beside solids, from 1 at a support radius h to 0 at 0.8 h. The
-/// corrected forces press particles to evenly spaced places. The first layers of liquid would then stick to a
-/// solid that rises.
+/// Reduces the weight of the correction next to solids, from 1 at a distance of a support radius h to 0 at
+/// 0.8 h. The corrected forces press particles to evenly spaced positions, so the first layers of liquid
+/// would stick to a rising solid.
 void clearBesideSolids(const PressureSystem& x) {
   const Continuum& p = x.particles;
   const NeighbourLists& lists = x.neighbours;
@@ -66,7 +66,9 @@ void correctGradients(const PressureSystem& x) {
   }
   for (const WallSlope& wall : work.walls) work.impulse[wall.row] -= wall.slope * 0.5;
   if (x.modules.solid) {
-    if (x.modules.melting) refresh(x.halos.cells, p, ColumnList{&p.phase}).wait();  // owners have changed it
+    if (x.modules.melting)
+      refresh(x.halos.cells, p, ColumnList{&p.phase}).wait();  // the owners have changed
+                                                               // the phase
     clearBesideSolids(x);
   }
   for (std::size_t i = 0; i < p.owned; i++)

@@ -6,12 +6,12 @@
 namespace thaw {
 
 /// Packs 1/m (1/kg) of rows [0, rows) into pressurePhaseHeat.c, 0 for clamped and driven particles. It
-/// overwrites the temperature, which nothing reads after the forces.
+/// overwrites the temperature, which is not read after the forces.
 void packMobility(const RecordContext& context, const Continuum& particles, std::size_t rows,
                   PairRecords& records);
 
-/// Packs Continuum::trialPressure of rows [begin, end) into pressurePhaseHeat.a. With corrected gradients
-/// also its product with 1 + Continuum::correction into pressureDiagonal and pressureOffDiagonal.
+/// Packs Continuum::trialPressure of rows [begin, end) into pressurePhaseHeat.a. With corrected gradients,
+/// its product with 1 + Continuum::correction is also packed into pressureDiagonal and pressureOffDiagonal.
 void packTrialPressure(const RecordContext& context, const Continuum& particles, std::size_t begin,
                        std::size_t end, PairRecords& records);
 

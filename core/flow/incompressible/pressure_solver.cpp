@@ -10,17 +10,18 @@
 namespace thaw {
 namespace {
 
-/// Goal of a solve: no predicted compression e = (relative density - target) + dt d(relative density)/dt.
+/// Goal of a solve: zero predicted compression e = (relative density - target) + dt d(relative density)/dt.
 /// Only a fraction of an existing compression is corrected per step. A full correction would eject the
 /// surface of a deep liquid at error * depth / dt. The tolerance scales with the fraction.
 struct Goal {
   double dt;         ///< s
   double tolerance;  ///< 1, mean residual
   double share;      ///< 1, corrected fraction of an existing compression; divergence solve: 0
-  double mean = 0;   ///< 1, mean compression of liquid that cannot expand, which is left alone
+  double mean = 0;   ///< 1, mean compression of liquid that cannot expand; it is not corrected
 };
 
-/// Exact over ranks, as integers: residual, number of particles, and whether the last move went uphill.
+/// Residual, number of particles, and alignment of the residual with the last move. Sums over ranks are
+/// exact, since they are integers.
 struct Progress {
   std::int64_t left = 0, liquids = 0, along = 0;
   static constexpr double leftUnit = 1.0 / (1 << 30), alongUnit = 1.0 / (1ll << 50);
@@ -41,13 +42,13 @@ struct Progress {
 
 /// Returns the compression (1) that a solve corrects in this step, besides that of the flow. Inside the
 /// liquid both signs are corrected slowly, since shear changes the summed density by a few per cent.
-/// Elsewhere a deficit is room that the liquid may fill at once.
+/// Elsewhere the liquid may fill a deficit at once.
 double sourceOf(const PressureSystem& x, double share, std::size_t i) {
   const double inside = static_cast<double>(x.pressure.inside[i]);
   double excess = static_cast<double>(x.particles.relativeDensity[i]) - x.pressure.targetRelativeDensity;
   if (x.scene.numerics.tensileLimit > 0)
-    excess = std::max(excess, 0.0);  // tension keeps gaps from growing; closing those of a free surface
-                                     // would tear it apart
+    excess = std::max(excess, 0.0);  // tension keeps gaps from growing; closing gaps at a free surface would
+                                     // tear it apart
   const double room = excess > 0 ? share * excess : excess;
   return inside * share * excess + (1 - inside) * room;
 }
@@ -64,8 +65,8 @@ Progress jacobiStep(const PressureSystem& x, const Goal& goal, std::vector<float
     if (!(work.response[i] > 0)) continue;
     const double f = static_cast<double>(work.fraction[i]), full = goal.dt * work.response[i],
                  k = static_cast<double>(p.trialPressure[i]);
-    // Half-molten particles also get a spring. Its stiffness gives a single particle the pressure of a liquid
-    // times its liquid fraction.
+    // Half-molten particles also get a spring. Its stiffness is such that a single particle has the
+    // pressure of a liquid times its liquid fraction.
     const double e = sourceOf(x, goal.share, i) - goal.share * goal.mean + goal.dt * work.rate[i] -
                      (1 - f) * full * k;
     const double left = mayPull || k * full > -e ? std::abs(e) : k * full;
@@ -78,8 +79,8 @@ Progress jacobiStep(const PressureSystem& x, const Goal& goal, std::vector<float
 }
 
 /// Returns the mean of the compressions that the density solve corrects, exact over ranks, in liquid without
-/// a free surface. Motion hardly reduces it. If the solve tried, it would raise all pressures without end,
-/// and under them disordered particles resist shear.
+/// a free surface. Motion hardly reduces this mean. A solve that tried to reduce it would raise all pressures
+/// without limit, and disordered particles under pressure resist shear.
 double meanCompression(const PressureSystem& x) {
   if (!x.pressure.closed) return 0;
   const Continuum& p = x.particles;
@@ -134,13 +135,15 @@ template<class Record> void recordReactions(const PressureSystem& x, Record reco
     p.dissipated[i] += done;  // compensated by the velocity change
   };
   for (const WallSlope& wall : x.pressure.walls) {
-    if (p.clamped.active && p.clamped[wall.row]) continue;  // its constraint has to bear this too
+    if (p.clamped.active && p.clamped[wall.row])
+      continue;  // the constraint of the clamped particle bears
+                 // this impulse
     const double V = restVolumeOf(p, x.scene.materials, wall.row);
     give(wall.row, wall.slope * (-V * static_cast<double>(p.trialPressure[wall.row])), wall.velocity);
   }
   if (!p.clamped.active) return;
-  for (const WallSlope& wall : x.pressure.walls) {  // pairs only: the impulse of a wall on a clamped
-                                                    // particle acts between two constraints
+  for (const WallSlope& wall : x.pressure.walls) {  // leaves only the pair impulses: the impulse of a wall on
+                                                    // a clamped particle acts between two constraints
     const double V = restVolumeOf(p, x.scene.materials, wall.row);
     if (p.clamped[wall.row])
       x.pressure.impulse[wall.row] += wall.slope * (V * static_cast<double>(p.trialPressure[wall.row]));
@@ -169,8 +172,8 @@ template<class Record> void stopAtWalls(const PressureSystem& x, double dt, Reco
   }
 }
 
-/// Starts from the pressure of the last step. Newly frozen particles have none: pairs of solids are listed
-/// depending on the group, and so on the ranks.
+/// Starts from the pressure of the last step. Newly frozen particles start from 0. Whether pairs of solids
+/// are listed depends on the group, and so on the number of ranks.
 void setTrial(Continuum& p, const PressureWork& work, const Column<float>& pressure, double dt) {
   for (std::size_t i = 0; i < p.owned; i++)
     p.trialPressure[i] = work.response[i] > 0 ? static_cast<float>(static_cast<double>(pressure[i]) * dt) : 0;
@@ -184,7 +187,7 @@ void keepTrial(const Continuum& p, Column<float>& pressure, double dt) {
 /// Corrects the dissipation of resistive forces, which was recorded at the drift velocity v. In the past half
 /// kick the mean velocity is v + a dt/4. In the next one it is v + a dt/2 + pressure change + a next/4. The
 /// difference is significant for steps near the viscous limit. Implicit viscous forces were recorded at the
-/// mean velocity of both half kicks, so they lack the pressure change alone.
+/// mean velocity of both half kicks, so only the pressure change is missing.
 void recordResistance(Continuum& p, const std::vector<Vec3d>& before, double dt, double next) {
   const double both = (dt + next) * (dt + next) / 8, half = 0.5 * next;
   const bool implicit = p.viscousAcceleration.active;
@@ -245,7 +248,7 @@ void addPressureImpulse(Continuum& p) {
 
 void findPressure(const PressureSystem& x, double dt) {
   Continuum& p = x.particles;
-  // At the end of the scene no limit on the step exists.
+  // At the end of the scene the next step is unlimited.
   const double planned = nextStep(x.clock), next = std::isfinite(planned) ? planned : dt;
   std::vector<Vec3d>& before = x.pressure.arrived;
   before.assign(p.velocity.data(), p.velocity.data() + p.owned);

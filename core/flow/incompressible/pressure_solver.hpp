@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pressure solver for incompressible liquids (DFSPH, BK17). The pressure is the
-// Lagrange multiplier of the constraint relative density <= target. Steps are thus limited by the flow speed
-// and not by sound.
+// Lagrange multiplier of the constraint relative density <= target. The flow speed thus limits the step, and
+// the speed of sound does not.
 //
 // The scheme is a constrained leap-frog (RATTLE, A83). At the end of a step the divergence solve
 // removes compression rates from the velocity. The density solve then finds the impulse with which the next
@@ -10,8 +10,9 @@
 // has one search.
 //
 // The target is not 1 but the largest relative density of sliding lattice layers (slidingLatticeSum; 1.003 at
-// h = 2 dx). A liquid that fills its vessel cannot expand, and with 1 it would jam like sand. Poiseuille flow
-// (benchmark poiseuille with H/dx = 20) would have 0.79 of its rate, and 0.2 with a quarter of the step.
+// h = 2 dx). A liquid that fills its vessel cannot expand. With a target of 1 it would jam like sand:
+// Poiseuille flow (benchmark poiseuille with H/dx = 20) would have 0.79 of its rate, and 0.2 with a
+// quarter of the step.
 //
 // Both solves have the same form: find pressures k >= 0 (Pa s) with the impulses -sum_i V_i k_i D_i, where
 // D_i is the gradient of delta_i, corrected inside the liquid (gradient_correction.hpp).

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The matrix of the pressure problem as products: from pressures to velocities, and from velocities to
-// density rates.
+// The matrix of the pressure problem as two products: one from pressures to velocities, and one from
+// velocities to density rates.
 #pragma once
 #include <vector>
 
@@ -54,7 +54,7 @@ struct PressureSystem {
 void prepareSystem(const PressureSystem& system);
 
 /// Computes PressureWork::impulse (N s) from Continuum::trialPressure, and trialVelocity = start + impulse /
-/// m; clamped and driven particles keep theirs. Collective.
+/// m. Clamped and driven particles keep their velocities. Collective.
 void applyPressures(const PressureSystem& system);
 
 /// Computes PressureWork::rate (1/s) of the relative density for trialVelocity. Collective.

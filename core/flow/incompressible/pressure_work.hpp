@@ -16,19 +16,19 @@ struct WallSlope {
   Vec3d velocity;  ///< m/s, of the wall
 };
 
-/// Extra target density for flow without a free surface, which would jam because it cannot expand. Disordered
-/// particles have larger summed densities than a lattice, which scatter by 2 %.
+/// Extra target density for flow without a free surface, which cannot expand and would otherwise jam. The
+/// summed densities of disordered particles are larger than those of a lattice and scatter by 2 %.
 inline constexpr double flowDensityExcess = 0.03;
 
 struct PressureWork {
-  double targetRelativeDensity = 1;  ///< target relative density: that of sliding layers, slightly above rest
+  double targetRelativeDensity = 1;  ///< relative density of sliding layers, slightly above that at rest
   bool closed = false;               ///< liquid without a free surface, which cannot expand
   double relaxation = 0;             ///< fraction of a Jacobi step that does not overshoot on the lattice
   double correctionTime = 0;  ///< s, correction time of a compression: one spacing over the largest expected
                               ///< speed
   std::vector<WallSlope> walls;  ///< by row
-  std::vector<double> response;  ///< 1/(Pa s^2), response of a particle's density rate to its own pressure
-                                 ///< over the step, times liquid fraction; 0: no liquid
+  std::vector<double> response;  ///< 1/(Pa s^2), derivative of a particle's density rate with respect to its
+                                 ///< pressure impulse (Pa s), times liquid fraction; 0: no liquid
   std::vector<float> fraction;   ///< liquid fraction
   std::vector<float> before, stepped;  ///< Pa s, after the previous and the current step, without momentum
   std::vector<Vec3d> start;            ///< m/s, velocities before the solve

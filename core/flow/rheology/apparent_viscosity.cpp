@@ -61,7 +61,7 @@ void findApparentViscosity(const WallContext& walls, const WallContacts& contact
   Continuum& p = walls.world.particles;
   Search search{walls, contacts, {}};
   for (const Material& m : s.materials) search.leastRate.push_back(hasFlowLaw(m) ? leastRateOf(s, m) : 0);
-  // The set of solids that the sums visit depends on the groups, and so on the number of ranks.
+  // The set of solids that the sums visit depends on the groups, and thus on the number of ranks.
   for (std::size_t i = 0; walls.world.modules.solid && i < p.owned; i++)
     if (liquidFraction(p, i) == 0 && !walls.sleeps(i)) p.apparentViscosity[i] = 0;
   shearKernels()->sum(sums, {&search, finishRow}, {0, sums.lists->groups});

@@ -13,7 +13,8 @@ namespace thaw {
 /// do not oscillate. Requires: records, lists and wall contacts of this step.
 void findApparentViscosity(const WallContext& walls, const WallContacts& contacts, const PairSums& sums);
 
-/// Packs the apparent viscosity of rows [begin, end) into the records. Requires: that of ghosts.
+/// Packs the apparent viscosity of rows [begin, end) into the records. Requires: apparent viscosities of
+/// ghosts.
 void packApparentViscosity(const RecordContext& context, const Continuum& particles, std::size_t begin,
                            std::size_t end, PairRecords& records);
 

@@ -9,7 +9,7 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// ShearMoments of the particles. One term of the pair sums (core/fluid/terms/term.hpp).
+/// Computes the ShearMoments of particles. It is a term of the pair sums (core/fluid/terms/term.hpp).
 template<class Real, class Kernel> struct ShearRate {
   using L = Lanes<Real>;
   const Record<Real>*positionVolume, *velocityViscosity, *pressurePhaseHeat;

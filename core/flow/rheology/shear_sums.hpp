@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sums from which shear rates follow, one set of functions per instruction set.
+// Sums for shear rates, with one set of functions per instruction set.
 #pragma once
 #include <cstdint>
 
@@ -33,7 +33,7 @@ const ShearKernels* shearKernels(const char* name = "");
 
 /// Returns the shear rate times h (m/s): sqrt(2 D:D), D the strain rate without its trace. The velocity
 /// gradient G minimises the sum of a |u - G d|^2. A small Tikhonov term keeps the rate finite for particles
-/// with few neighbours. It is exact in linear flows up to a relative error of 1e-4.
+/// with few neighbours. In linear flows the relative error of the shear rate is at most 1e-4.
 double shearRateOf(const ShearMoments& sums);
 
 }  // namespace thaw

@@ -12,15 +12,15 @@
 namespace thaw {
 namespace {
 
-/// Speed (m/s) by which shear rates are judged; at least a small one, if nothing moves.
+/// Reference speed (m/s) for shear rates. It has a small lower bound, for scenes in which nothing moves.
 double flowSpeed(const Scene& s) { return std::max(expectedSpeed(s), 1e-3); }
 
 double valueOrZero(const TemperatureTable& t, double T, Interpolation between) {
   return t.empty() ? 0 : valueAt(t, T, between);
 }
 
-/// Calls action for the coefficients at each temperature of the tables. Between them both parameters are
-/// monotonic.
+/// Calls action for the coefficients at each temperature of the tables. Between these temperatures both
+/// parameters are monotonic.
 template<class Action> void atTableEntries(const FlowLawSettings& s, double leastRate, Action action) {
   std::set<double> temperatures;
   for (const TemperatureTable* t : {&s.yieldStress, &s.consistency})
@@ -34,7 +34,7 @@ const FlowLawKey* find(const FlowLawRow& row, const std::string& key) {
   return nullptr;
 }
 
-/// Returns the keys of all laws, each once.
+/// Returns the keys of all laws without duplicates.
 std::vector<FlowLawKey> allKeys() {
   std::vector<FlowLawKey> all;
   std::set<std::string> names;

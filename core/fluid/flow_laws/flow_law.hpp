@@ -15,31 +15,33 @@ inline double steepnessOf(const FlowLawSettings& s) { return rowOf(s.law).steepn
 bool hasLeastRate(FlowLaw law);
 /// Returns true if a coefficient is a table by temperature.
 bool dependsOnTemperature(const FlowLawSettings& settings);
-/// Declares the keys of [material.NAME.flow]. Refuses keys that the law does not have, and requires its own.
+/// Declares the keys of [material.NAME.flow]. Rejects keys that the law does not have, and missing keys that
+/// it requires.
 void readFlowLaw(KeyTable& keys, FlowLawSettings& settings);
 
-/// Shear rate (1/s) below which yield stress and power laws are regularised. It is that of the material, or
-/// else 1e-4 of the expected speed over the longest side of the domain.
+/// Shear rate (1/s) below which yield stress and power laws are regularised. It is the material's value, or
+/// else 1e-4 of the expected speed divided by the longest side of the domain.
 double leastRateOf(const Scene& scene, const Material& material);
 
-/// Returns the coefficients at a temperature (K). Viscosities are interpolated logarithmically. They refer to
-/// the settings.
+/// Returns the coefficients at a temperature (K). Viscosities are interpolated logarithmically. The result
+/// refers to `settings`, which must outlive it.
 FlowCoefficients flowCoefficients(const FlowLawSettings& settings, double leastRate, double temperature);
 
-/// Apparent viscosity (Pa s) at a shear rate (1/s), by the row of the law, at most
+/// Apparent viscosity (Pa s) of the law at a shear rate (1/s). It is at most
 /// FlowLawSettings::largestViscosity.
 double apparentViscosity(const FlowCoefficients& coefficients, double rate);
 
-/// Largest viscosity (Pa s) at any of the temperatures of its tables: at rest, or for n > 1 at the largest
-/// rate (1/s).
+/// Largest viscosity (Pa s) over the temperatures of the law's tables. It occurs at rest, or for n > 1 at the
+/// largest rate (1/s).
 double largestFlowViscosity(const FlowLawSettings& settings, double leastRate, double largestRate);
-/// Smallest viscosity (Pa s) at any of the temperatures of its tables, at rates up to `largestRate` (1/s).
+/// Smallest viscosity (Pa s) over the temperatures of the law's tables, at rates up to `largestRate` (1/s).
 double leastFlowViscosity(const FlowLawSettings& settings, double leastRate, double largestRate);
 
 /// Largest shear rate (1/s) that a scene resolves: the expected speed over the spacing.
 double resolvedRate(const Scene& scene);
 
-/// The same two for a material of a scene, from its least rate and the largest rate that the scene resolves.
+/// The same two functions for a material of a scene, with its least rate and the largest rate that the scene
+/// resolves.
 double largestFlowViscosity(const Scene& scene, const Material& material);
 double leastFlowViscosity(const Scene& scene, const Material& material);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A flow law as a row of the table in core/fluid/flow_laws/laws.hpp, and the keys that several laws share.
+// A flow law as a row of the table in core/fluid/flow_laws/laws.hpp, and keys common to several laws.
 #pragma once
 #include <span>
 
@@ -10,16 +10,17 @@ namespace thaw {
 
 /// Coefficients of a flow law at one temperature.
 struct FlowCoefficients {
-  const FlowLawSettings* settings = nullptr;  ///< the coefficients without temperature
+  const FlowLawSettings* settings = nullptr;  ///< coefficients that do not depend on temperature
   double yieldStress = 0;                     ///< Pa
-  double viscosity = 0;  ///< Pa s: plastic viscosity; at a rate of 1/s (the consistency); Carreau: at rest
+  double viscosity = 0;  ///< Pa s: plastic viscosity, or viscosity at a rate of 1/s (the consistency);
+                         ///< Carreau: viscosity at rest
   double leastRate = 0;  ///< 1/s, > 0: regularisation
 };
 
 /// A key of [material.NAME.flow].
 struct FlowLawKey {
   const char* name;
-  bool needed;  ///< a scene with this law must have it
+  bool needed;  ///< true: a scene with this law must set it
   void (*declare)(KeyTable&, const char* name, FlowLawSettings&);
 };
 
@@ -30,7 +31,7 @@ struct FlowLawRow {
   std::span<const FlowLawKey> keys;
   /// Apparent viscosity (Pa s) at a shear rate (1/s); finite at rest. It is monotonic in the rate.
   double (*viscosity)(const FlowCoefficients&, double rate);
-  /// Largest d ln(stress) / d ln(rate); at least 1. It shortens steps.
+  /// Largest d ln(stress) / d ln(rate); at least 1. Larger values shorten steps.
   double (*steepness)(const FlowLawSettings&);
 };
 

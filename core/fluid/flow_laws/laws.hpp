@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of flow laws. Scenes, documents, checks, restarts, steps and the apparent viscosity read it.
-// To add a law: docs/developer/extend.md.
+// The table of flow laws. Scenes, documents, checks, restarts, steps and the apparent viscosity use it. To
+// add a law: docs/developer/extend.md.
 #pragma once
 #include "core/fluid/flow_laws/bingham.hpp"
 #include "core/fluid/flow_laws/carreau.hpp"

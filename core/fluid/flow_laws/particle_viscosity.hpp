@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Viscosity of a particle, derived from other fields.
+// Viscosity of a particle, computed from other fields.
 #pragma once
 #include <cstddef>
 
@@ -9,8 +9,8 @@
 
 namespace thaw {
 
-/// Viscosity (Pa s) at a liquid fraction: that of the flow law at the last shear rate, or that of the
-/// material at the particle's temperature. 0 before the first shear rate.
+/// Viscosity (Pa s) at a liquid fraction f: the flow law's at the last shear rate, or the material's at the
+/// particle's temperature. 0 until a first shear rate is known.
 inline double viscosityOfParticle(const Material& m, const Continuum& p, std::size_t i, double f) {
   if (hasFlowLaw(m)) return p.apparentViscosity.active ? static_cast<double>(p.apparentViscosity[i]) : 0;
   return viscosityAt(m, f, p.temperature.active ? p.temperature[i] : 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of laws with a yield stress and with a power of the rate, regularised at the least rate e.
+// Terms of laws with a yield stress or a power of the rate, regularised at the least rate e.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ inline double powerViscosity(const FlowCoefficients& c, double rate) {
   return n == 1 ? c.viscosity : c.viscosity * std::pow(rate * rate + e * e, 0.5 * (n - 1));
 }
 
-/// Steepness of laws whose stress grows at most as g^n beyond their viscosity.
+/// Steepness (FlowLawRow::steepness) of laws whose stress grows at most as g^n.
 inline double powerSteepness(const FlowLawSettings& s) { return std::max(s.exponent, 1.0); }
 
 }  // namespace thaw

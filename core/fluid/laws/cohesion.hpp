@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Surface tension as a pair force. Code for one instruction set includes this only through the namespace of
-// lanes.hpp.
+// Surface tension as a pair force. Code that is compiled per instruction set includes this only through the
+// namespace of lanes.hpp.
 #pragma once
 #include "core/kernels/kernels.hpp"
 
@@ -20,7 +20,7 @@ struct Cohesion {
     const L u = L(1.0) - q;
     return q * (u * u) * (q - L(a));
   }
-  template<class L> static THAW_INLINE L potential(L q) {  // its integral, 0 at q = 1
+  template<class L> static THAW_INLINE L potential(L q) {  // integral of phi, 0 at q = 1
     return q * q * (L(-a / 2) + q * (L(1.0 / 3 + 2 * a / 3) + q * (L(-0.5 - a / 4) + L(0.2) * q))) -
            L(potentialAt1);
   }

@@ -6,10 +6,11 @@
 namespace thaw {
 namespace {
 
-/// Share of the force that is removed. With 1 no force keeps the particles evenly spaced.
+/// Share of the force that is removed. If all of it were removed, no force would keep the particles evenly
+/// spaced.
 constexpr double reliefShare = 0.75;
-/// Share of solid neighbours at which half of the force acts: a distance of 0.95 support radii. It bounds the
-/// force of pairs that come closer within half a step.
+/// Share of solid neighbours at which half of the force acts, which corresponds to a distance of 0.95 support
+/// radii. It bounds the force of pairs that come into range within half a step.
 constexpr double faintContact = 1e-5;
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 namespace thaw {
 
-/// A liquid particle beside a solid, inside the liquid.
+/// A liquid particle inside the liquid and next to a solid.
 struct ReliefInput {
   double pressure;    ///< Pa
   double volume;      ///< m^3
@@ -16,11 +16,11 @@ struct ReliefInput {
 };
 
 /// Force (N) on the particle from all its solid neighbours (Continuum::relief). Equal pressures push
-/// particles to evenly spaced places, which binds the first layers of a liquid to the particles of a solid.
-/// Next to a solid, a fixed share of this force is therefore removed: that of the part along the solid of
-/// -2 p_i V_i grad C_i, which comes from the particle's own pressure. The solid's particles receive the
-/// opposite force. The force has no potential: liquid that slips along a solid gains some energy from it.
-/// Solids that are fixed in place get none, so there the liquid keeps all of its force.
+/// particles to evenly spaced positions, which binds the first layers of a liquid to the particles of a
+/// solid. Next to a solid, a fixed share of this force is therefore removed. The removed force is the
+/// component along the solid of -2 p_i V_i grad C_i, which is due to the particle's own pressure. The solid's
+/// particles receive the opposite force. The force has no potential, so liquid that slips along a solid gains
+/// some energy. Solids that are fixed in place are excluded; next to these, nothing is removed.
 Vec3f latticeRelief(const ReliefInput& input);
 
 }  // namespace thaw

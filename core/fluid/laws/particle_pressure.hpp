@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pressure of a particle, derived from other fields.
+// Pressure of a particle, computed from other fields.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -21,8 +21,8 @@ inline double rootTensionOf(const Continuum& p, const std::vector<LiquidMaterial
   return liquids[p.material[i]].rootTension * liquidFraction(p, i);
 }
 
-/// Pressure (Pa) of the last evaluation: equation of state times liquid fraction, or the solution of the
-/// incompressible solver.
+/// Pressure (Pa) of the last evaluation: the equation of state times the liquid fraction, or the solution of
+/// the incompressible solver.
 inline float pressureOfParticle(const Scene& scene, const Modules& modules, const Continuum& p,
                                 const std::vector<LiquidMaterial>& liquids, std::size_t i) {
   if (modules.incompressible) return p.densityPressure[i] + p.divergencePressure[i];

@@ -22,9 +22,9 @@ Calibration calibrationOf(double support) {
   return {rest[k] + (x - k) * (rest[k + 1] - rest[k]), open[k] + (x - k) * (open[k + 1] - open[k])};
 }
 
-/// Cost of missing colour, and its derivative. It is quadratic where little is missing, as at a flat surface.
-/// A single layer lacks twice as much, a single particle all of it. Their costs are about 2 and 4.8 sigma
-/// dx^2; a quadratic cost would give 2.4 and 11.
+/// Energy of missing colour, and its derivative. It is quadratic if little colour is missing, as at a flat
+/// surface. A single layer lacks twice as much, and a single particle all of it. Their energies are about 2
+/// and 4.8 sigma dx^2; a quadratic function would give 2.4 and 11.
 struct ColourDeficit {
   double cost, slope;
 };
@@ -33,11 +33,11 @@ ColourDeficit colourDeficitTerm(double open) {
   return {square * d, 2 * open * d * d};
 }
 
-/// Sparse limit as a fraction of the colour sum at a flat lattice face; an edge has as much.
+/// Limit below which a neighbourhood is sparse, as a fraction of the colour sum at a flat lattice face. An
+/// edge of a lattice is at the limit.
 constexpr double sparseFraction = 0.8;
 
-/// Dependence of the energy on d, with derivatives: factor of the squared gradient, and term of sparse
-/// particles.
+/// Factor of the squared gradient and term of sparse particles as functions of d, with derivatives.
 struct AtRelativeDensity {
   double area = 0, areaSlope = 0, alone = 0, aloneSlope = 0;
 };
@@ -47,7 +47,7 @@ AtRelativeDensity atRelativeDensity(const SurfaceMeasure& m, double fill) {
   if (fill >= m.sparse) return {power, -2 * power / fill, 0, 0};
   const double width = m.sparse - m.least, t = (fill - m.least) / width;  // 0 for a single particle, 1 where
                                                                           // the power begins
-  const double a = 2 + 2 * width / m.sparse;                              // so that the slope is continuous
+  const double a = 2 + 2 * width / m.sparse;                              // makes the slope continuous
   return {power * t * (a + (1 - a) * t), power * (a + 2 * (1 - a) * t) / width, (1 - t) * (1 - t),
           -2 * (1 - t) / width};
 }

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel of the surface energy. Code for one instruction set includes this only through the namespace of
-// lanes.hpp.
+// Kernel of the surface energy. Code that is compiled per instruction set includes this only through the
+// namespace of lanes.hpp.
 #pragma once
 #include "core/kernels/kernels.hpp"
 
 namespace thaw {
 namespace THAW_ISA {
 
-/// W = 315 / (64 pi) (1 - q^2)^3 for any kernel of the scene. Its slope weights second neighbours almost like
-/// first ones, so the surface energy depends little on the arrangement of particles. grad W = slope d; the
-/// Hessian is slope 1 + secondDerivative d d.
+/// W = 315 / (64 pi) (1 - q^2)^3, independent of the scene's kernel. Its slope weights second neighbours
+/// almost like first ones, so the surface energy depends little on the arrangement of particles. grad W =
+/// slope d; the Hessian is slope 1 + secondDerivative d d.
 struct SurfaceKernel {
   template<class T> static THAW_INLINE T w(T q2) {
     const T u = max(T(1.0) - q2, T(0.0));

@@ -8,7 +8,7 @@
 namespace thaw {
 namespace {
 
-/// Strain rate (1/s) without trace, times h.
+/// Traceless strain rate times h (m/s).
 Sym3d fittedStrainRate(const ViscousNeighbours& s) {
   const double* const m = s.second;
   const double* const v = s.velocity;

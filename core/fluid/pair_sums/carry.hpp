@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Input and output of the step of carried densities, which ends the density sums (terms/carry.hpp).
+// Input and output of the step of carried densities, the last part of the density sums (terms/carry.hpp).
 #pragma once
 #include <cstdint>
 
@@ -12,7 +12,7 @@ namespace thaw {
 
 struct LiquidMaterial;
 
-/// Sums of a particle beside walls, to which the walls' parts are added. Lengths in support radii.
+/// Sums of a particle next to walls, to which the walls' parts are added. Lengths are in support radii.
 struct CarryRow {
   double relativeDensity = 0;  ///< 1, summed
   double rate = 0;             ///< 1/s, of the relative density
@@ -23,7 +23,7 @@ struct CarryRow {
   bool atSurface = false;  ///< result: at the free surface
 };
 
-/// Particles beside walls. Null functions: no walls.
+/// Walls next to particles. Null functions: no walls.
 struct CarryWalls {
   const void* context = nullptr;
   const std::uint8_t* beside = nullptr;  ///< by row
@@ -46,7 +46,7 @@ struct CarryStep {
   const std::uint16_t* material = nullptr;
   const double* mass = nullptr;          ///< kg
   const double* restDensity = nullptr;   ///< kg/m^3; null: that of the material
-  const std::uint8_t* steady = nullptr;  ///< not 0: left as they are
+  const std::uint8_t* steady = nullptr;  ///< not 0: the row does not change
   bool corrected = false, surfaces = false, solids = false;
   CarryWalls walls;
   // Results.
@@ -59,11 +59,11 @@ struct CarryStep {
   Vec3d* shiftingVelocity = nullptr;  ///< m/s
   Vec3f* relief = nullptr;            ///< N
   float* summed = nullptr;            ///< summed relative density, in steps that need it
-  double* largestChange = nullptr;    ///< 1, largest of a carried relative density in the step
+  double* largestChange = nullptr;    ///< 1, largest change of a carried relative density in the step
   std::int64_t* crowded = nullptr;    ///< counts particles much denser than their carried density
 };
 
-/// Resets the carried density of a particle without liquid around it; its compression energy is dissipated.
+/// Resets the carried density of a particle without liquid around it. Its compression energy is dissipated.
 void resetCarriedDensity(const CarryStep& step, float* relativeDensity, std::uint32_t row);
 
 }  // namespace thaw

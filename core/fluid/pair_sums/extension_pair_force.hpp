@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forces between pairs of liquid particles that extensions bring (core/terms/extensions.hpp). The pair
-// function is written once on lanes (core/fluid/terms/extension_pair_force_term.hpp).
+// Forces of extensions between pairs of liquid particles (core/terms/extensions.hpp). The pair function is
+// written once on lanes (core/fluid/terms/extension_pair_force_term.hpp).
 #pragma once
 #include <array>
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace thaw {
 
-/// The values of an extension's keys (SI) in the order of their declaration, and lengths of the run.
+/// Values of an extension's keys (SI) in the order of their declaration, and lengths of the run.
 struct PairConstants {
   const double* values = nullptr;
   double support = 0, spacing = 0;  ///< m
@@ -51,11 +51,11 @@ struct PairPacking {
 /// opposite signs, weighted by the product of their liquid fractions.
 struct PairForce {
   PairForceKernels kernels;
-  /// Packs values of particles that the pair function reads, such as coefficients of materials; none: zeros.
-  /// Fields that it reads need ghosts: position, velocity, mass, material, phase, liquid, temperature, and
+  /// Packs values of particles that the pair function reads, such as coefficients of materials. Empty: zeros.
+  /// It may read only fields with ghosts: position, velocity, mass, material, phase, liquid, temperature, and
   /// added fields with `ghosts`.
   std::function<void(const PairPacking&)> pack = {};
-  /// Longest stable step (s); none: no limit.
+  /// Longest stable step (s). Empty: no limit.
   std::function<double(const ExtensionSettings&, const Scene&)> stepLimit = {};
 };
 
@@ -79,7 +79,7 @@ void packPairForce(const Scene& scene, const Continuum& particles, std::size_t b
                    PairForceWork& work);
 /// Makes room for `rows` rows and the dummy row behind them.
 void resizePairForce(Precision precision, std::size_t rows, PairForceWork& work);
-/// Clears the records of the first `rows` rows that a field marks, so that they have no pairs.
+/// Clears the records of marked rows among the first `rows` rows, so that these rows have no pairs.
 void clearPairRecords(Precision precision, const AddedColumn& mark, std::size_t rows, PairForceWork& work);
 /// Returns the record of one row.
 std::array<double, 4> pairRecordOf(const Scene& scene, const Continuum& particles, std::size_t row,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pair loops, one set per instruction set. The best set for the processor is chosen at start. Every set
-// gives the same bits.
+// The pair loops, with one set per instruction set. The best set for the processor is chosen at the start.
+// All sets give the same bits.
 #pragma once
 #include <cstdint>
 

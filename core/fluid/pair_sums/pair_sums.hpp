@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums over unbonded neighbours. A sum is a pure function of two particles' records (pair_sums_isa.cpp). One
-// driver loops over groups of eight particles; each lane adds its own neighbours in (cell, id) order.
+// Sums over unbonded neighbours. The summand is a pure function of two particles' records
+// (pair_sums_isa.cpp). One driver loops over groups of eight particles. Each lane adds its own neighbours in
+// (cell, id) order.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -31,11 +32,11 @@ struct ClosePair {
 };
 struct ClosePairs {
   std::vector<ClosePair> list;
-  /// Out of line, see neighbour_lists.hpp.
+  /// This function is out of line for the reason given in neighbour_lists.hpp.
   static void append(ClosePairs& pairs, std::uint32_t own, std::uint32_t other);
 };
 
-/// Temperature (K) that marks the dummy row where records hold no volume: one liquid (Modules::uniform) with
+/// Temperature (K) that marks the dummy row if records hold no volume, for one liquid (Modules::uniform) with
 /// heat.
 inline constexpr double dummyTemperature = -1e30;
 /// Pressure term (Pa) of the dummy row in records of a carried density.
@@ -55,11 +56,11 @@ struct PairSums {
   /// One liquid (Modules::uniform) has no pressurePhaseHeat records. The fourth value of velocityViscosity is
   /// the pressure term. With heat it is the temperature, and the fourth value of positionVolume becomes the
   /// pressure term. With a carried density it is the compression until the pressure is packed. A negative
-  /// volume marks the free surface. Forces overwrite their results; the other terms add to them.
+  /// volume marks the free surface. The sum of forces overwrites its results; the other terms add to theirs.
   bool uniform = false;
   double volume = 0;                                       ///< V0 / h^3 of all particles of that liquid
-  double viscosity = 0, conductivity = 0, artificial = 0;  ///< for that liquid: Pa s, W/(m K), Pa s; 0: no
-                                                           ///< artificial viscosity
+  double viscosity = 0, conductivity = 0, artificial = 0;  ///< Pa s, W/(m K), Pa s, of that liquid;
+                                                           ///< artificial = 0: no artificial viscosity
   bool heat = false;                                       ///< forces include heat conduction
   double conductionScale = 1;       ///< factor of heat conduction (kernels/lattice.hpp)
   double support = 0;               ///< h, m
@@ -105,7 +106,7 @@ struct PairSums {
   double* compression = nullptr;  ///< 1/s, of compression
   Sym3d* moment = nullptr;        ///< 1, of response
   Sym3d* otherResponse = nullptr;      ///< 1/(m^2 kg), of response: contribution of the neighbours
-  std::int64_t* coincident = nullptr;  ///< counts particles that coincide with another particle
+  std::int64_t* coincident = nullptr;  ///< counts particles at the position of another particle
 };
 
 /// Velocity (m/s) for the viscous operator, with the particle's viscosity (Pa s) and liquid fraction; the

@@ -18,7 +18,7 @@ namespace {
 
 template<class Real> struct Four { Real a, b, c, d; };
 
-// SIMD pairs of baseline instruction sets: packing a million particles is a tenth of a step.
+// SIMD pairs of baseline instruction sets. Packing takes a tenth of a step, so it is vectorised.
 typedef double Pair __attribute__((vector_size(16)));
 typedef float Quad __attribute__((vector_size(16)));
 typedef std::uint32_t Words __attribute__((vector_size(16)));
@@ -68,7 +68,7 @@ MaterialParameters localParameters(HeatModel model, const Material& m, double f,
   return {viscosityAt(m, f, T), conductivityOf(model, m, f)};
 }
 
-/// Returns true if pair sums need more than positions. Otherwise neighbours are listed only for the initial
+/// Returns true if pair sums need more than positions. If not, neighbours are listed only for the initial
 /// bonds.
 bool sumsOverPairs(const Modules& m) { return m.fluid || m.heat || m.contact; }
 
@@ -86,7 +86,7 @@ void packPlace(const CellGrid& grid, const FixedPlaces& fixedPlace, const Vec3d&
   }
 }
 
-/// The factor that a column holds minus 1; 1 if the column is not active.
+/// Returns the factor in a column that stores factors minus 1; 1 if the column is not active.
 double factorOf(const Column<float>& correction, std::size_t i) {
   return correction.active ? 1 + static_cast<double>(correction[i]) : 1;
 }
@@ -196,8 +196,8 @@ void packTensors(const RecordContext& x, Continuum& p, std::size_t begin, std::s
     pressurePhaseHeat.a = Real(relief.z);
     pressurePhaseHeat.b = std::abs(pressurePhaseHeat.b);  // the sign is for the density sums only
     if (p.relief.active && isFixedSolid(p, i)) pressurePhaseHeat.b = Real(-0.0);
-    // Drag by the mean velocity dissipates exactly what it takes from mush. It is unstable in the longer
-    // steps of other solids, which feel drag by their velocity at the end of the step.
+    // For mush, drag uses the mean velocity and thus dissipates exactly the energy that it removes. In the
+    // longer steps of other solids this is unstable, so their drag uses the velocity at the end of the step.
     if (!x.modules.melting && movedInSubsteps(p, i, x.substeps))
       put(rows<Real>(r.velocityViscosity)[i], p.velocity[i], rows<Real>(r.velocityViscosity)[i].d);
     if (recordsEnergy) p.interaction[i] += compressionOf(x, p, i, static_cast<double>(pressurePhaseHeat.b));
@@ -267,7 +267,7 @@ void resizeRecords(const RecordContext& x, std::size_t n, PairRecords& r) {
   if (sums) resizeBytes(r.velocityViscosity, n + 1, each);
   else r.velocityViscosity.clear();
   if (sums && !x.modules.uniform) resizeBytes(r.pressurePhaseHeat, n + 1, each);
-  else r.pressurePhaseHeat = {};  // the packing of bodies may have used it
+  else r.pressurePhaseHeat = {};  // frees memory that the packing of bodies may have used
   const bool surface = x.modules.tension || x.modules.contact ||
                        (x.modules.artificialViscosity && !x.modules.uniform) || x.modules.xsph;
   if (surface) resizeBytes(r.surface, n + 1, each);
@@ -303,7 +303,7 @@ void packPressure(const RecordContext& x, Continuum& p, std::size_t begin, std::
 }
 
 double compressionOf(const RecordContext& x, const Continuum& p, std::size_t i, double f) {
-  // a carried density belongs to the whole particle, also to solids near liquid
+  // A carried density applies to the whole particle, even to solids near liquid.
   return x.modules.continuity ? compressionAt(x, p, i, 1, 1 + p.compression[i])
                               : compressionAt(x, p, i, f, static_cast<double>(p.relativeDensity[i]));
 }

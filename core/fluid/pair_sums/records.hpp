@@ -31,8 +31,9 @@ struct PairRecords {
 };
 
 /// Properties of the run for packing. With Modules::uniform there is no pressurePhaseHeat, and
-/// velocityViscosity holds the pressure term instead of the viscosity. With heat it holds the temperature;
-/// after the density sums positionVolume then holds the pressure term instead of the volume.
+/// velocityViscosity contains the pressure term instead of the viscosity. With heat, velocityViscosity
+/// contains the temperature instead. After the density sums, positionVolume then contains the pressure term
+/// instead of the volume.
 struct RecordContext {
   const Scene& scene;
   const Modules& modules;
@@ -52,7 +53,7 @@ void resizeRecords(const RecordContext& context, std::size_t rows, PairRecords& 
 
 /// Compression energy (J) of a particle with liquid fraction f. With a carried density f is ignored.
 double compressionOf(const RecordContext& context, const Continuum& particles, std::size_t row, double f);
-/// The same at a given relative density.
+/// Compression energy (J) at a given relative density.
 double compressionAt(const RecordContext& context, const Continuum& particles, std::size_t row, double f,
                      double relativeDensity);
 
@@ -63,7 +64,7 @@ double compressionAt(const RecordContext& context, const Continuum& particles, s
 void packPressure(const RecordContext& context, Continuum& particles, std::size_t begin, std::size_t end,
                   PairRecords& records);
 
-/// Packs the strength of cohesion of rows [begin, end), after a change of their liquid fractions.
+/// Packs the strength of cohesion of rows [begin, end) again after their liquid fractions changed.
 void packCohesion(const RecordContext& context, const Continuum& particles, std::size_t begin,
                   std::size_t end, PairRecords& records);
 
@@ -71,11 +72,12 @@ void packCohesion(const RecordContext& context, const Continuum& particles, std:
 void packSurfaceEnergyDerivatives(const RecordContext& context, const Continuum& particles, std::size_t begin,
                                   std::size_t end, PairRecords& records);
 
-/// Sets pressure terms of 1 Pa, all liquid, no viscosity, for the relaxation of body packings.
+/// Makes all rows liquid with pressure terms of 1 Pa and without viscosity, for the relaxation of body
+/// packings.
 void setUnitPressure(const RecordContext& context, std::size_t rows, PairRecords& records);
 
-/// Sets pressure terms (Pa) after that: the relative density of liquid particles above 1, 0 for others. For
-/// the relaxation of body packings.
+/// Call it after setUnitPressure. Sets the pressure terms (Pa) to the excess of the relative density over 1
+/// for liquid particles, and to 0 for others. It is used in the relaxation of body packings.
 void setExcessPressure(const RecordContext& context, const Continuum& particles, PairRecords& records);
 
 }  // namespace thaw

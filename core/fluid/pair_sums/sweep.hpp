@@ -9,11 +9,11 @@
 namespace thaw {
 namespace THAW_ISA {
 
-/// Groups that a sum covers. Fluid: cells around the group contain liquid. NonFluid groups add nothing to
-/// sums over liquid.
+/// Groups that a sum covers. Fluid: cells around the group contain liquid. NonFluid: no liquid is near, so
+/// sums over liquid are zero.
 enum class Groups { All, Fluid, NonFluid };
 
-/// Adds the neighbours of a group, whose list of n entries starts at `at`.
+/// Adds the neighbours of a group. Its list of n entries starts at `at`.
 template<class Term>
 THAW_INLINE void addNeighbours(const Term& term, const typename Term::Data& own, const std::uint32_t* at,
                                std::uint32_t n, typename Term::Sum& sum) {
@@ -39,8 +39,8 @@ THAW_INLINE void addNeighbours(const Term& term, const typename Term::Data& own,
 /// Sums a term over the neighbours of all groups in `range`. A Term has structs Data and Sum, and:
 /// - load(entries): the data of eight rows; entries are twice the rows, the record offsets of loadListed.
 /// - pair(own, other, entries, sum): adds one neighbour in each lane. Lanes of short lists get the dummy row.
-///   Or, where the latency of a pair is long: begin(own, other), which returns a Pair, and add(own, pair,
-///   sum). The next pair then begins before the last one is added.
+///   Alternatively, if the latency of a pair is long: begin(own, other), which returns a Pair, and add(own,
+///   pair, sum). The next pair then begins before the last one is added.
 /// - optional: prefetch(rows), called before the neighbours are added, for columns that finish uses.
 /// - finish(rows, own, sum, dummy): writes the sums. Lanes with rows[l] == dummy hold no particle.
 template<class Term>
@@ -56,8 +56,8 @@ THAW_INLINE void sweep(const NeighbourLists& lists, GroupRange range, Term& term
     if constexpr (requires { term.prefetch(rows); }) term.prefetch(rows);
     typename Term::Sum sum{};
     addNeighbours(term, own, list + lists.first[g], lists.count[g], sum);
-    const typename Term::Sum total = sum;  // read lane by lane from memory, so that sum itself stays in
-                                           // registers
+    const typename Term::Sum total = sum;  // a copy in memory that is read lane by lane, so that `sum` stays
+                                           // in registers
     term.finish(rows, own, total, lists.dummy);
   }
 }

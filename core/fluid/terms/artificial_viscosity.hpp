@@ -7,9 +7,9 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Artificial viscosity (M92) of approaching pairs; record: alpha c h rho / 10. Between liquids
-/// with tension the mean is arithmetic, since free-surface damping acts on pairs across the interface
-/// (LiquidMaterial::surfaceDamping).
+/// Artificial viscosity (M92) of approaching pairs. The record is alpha c h rho / 10 (Pa s). Between liquids
+/// with tension the pair's value is the arithmetic mean, since free-surface damping acts on pairs across the
+/// interface (LiquidMaterial::surfaceDamping).
 template<class Real, class Kernel> struct Artificial {
   using L = Lanes<Real>;
   const Record<Real>*positionVolume, *velocityViscosity, *surface;

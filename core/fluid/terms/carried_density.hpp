@@ -8,8 +8,8 @@ namespace THAW_ISA {
 namespace {
 
 enum class Carry { Nothing, Density, Corrected };
-/// Particles of a sum: one liquid with records of Modules::uniform, several liquids, or liquids and solids
-/// that carry the density of adjacent liquid (C07).
+/// Particles in a sum. One: one liquid with records of Modules::uniform. Liquids: several liquids. Solids:
+/// liquids and solids that carry the density of adjacent liquid (C07).
 enum class Mix { One, Liquids, Solids };
 
 /// Summed relative density (as Density) and h times its gradient, for shifting.
@@ -34,8 +34,8 @@ struct CarriedDensity {
   struct Data {
     Lanes4<Real> positionVolume, velocityViscosity, pressurePhaseHeat;
   };
-  /// Over lengths in `unit`; differences are other - own, so that sums over odd numbers of them have the
-  /// opposite sign. `finish` restores both.
+  /// Lengths are in `unit`. Differences are other - own, so sums of an odd number of differences have the
+  /// opposite sign. `finish` restores units and signs.
   struct Sum {
     L relativeDensity = L(0.0), closest = L(1.0), rate = L(0.0), spread = L(0.0), column = L(0.0),
       size = L(0.0), liquidKernelSum = L(0.0), solids = L(0.0), nearby = L(0.0), depth = L(0.0);
@@ -68,12 +68,12 @@ struct CarriedDensity {
     L r2, q;
     L volume;                   ///< V; negative: one liquid, at the free surface
     L mark;                     ///< Mixed: liquid fraction; negative: at the free surface
-    L compression, difference;  ///< the neighbour's compression, and the difference other - own of the
+    L compression, difference;  ///< compression of the neighbour, and difference (other - own) of the
                                 ///< diffusing quantity
   };
   THAW_INLINE Pair begin(const Data& i, const Data& j) const {
     Pair p;
-    // The own values do not fit into registers. As subtrahends they are memory operands.
+    // The own values do not fit into registers. As subtrahends they can be memory operands.
     p.d = {unitDifference(j.positionVolume.a, i.positionVolume.a),
            unitDifference(j.positionVolume.b, i.positionVolume.b),
            unitDifference(j.positionVolume.c, i.positionVolume.c)};
@@ -110,7 +110,7 @@ struct CarriedDensity {
     Vector3<L> g;         ///< V grad W
     L w, slope, laplace;  ///< V W, V W' / q, V times the kernel of the Laplacian
   };
-  /// Adds the sums from which the free surface and adjacent solids are found.
+  /// Adds the sums that identify the free surface and adjacent solids.
   THAW_INLINE void addSurface(L mark, const Vector3<L>& g, Sum& s) const {
     if (anyNegative(mark)) [[unlikely]]  // close to the free surface
       addScaled(s.surface, select(mark < L(0.0), L(1.0), L(0.0)), g.x, g.y, g.z);
@@ -138,7 +138,8 @@ struct CarriedDensity {
       s.spread = fma(k.slope, p.difference, s.spread);
     }
   }
-  /// Adds to the moment with the gradient over all neighbours, to the rate of strain with that over liquid.
+  /// Adds to the moment with the gradient `all` over all neighbours, and to the rate of strain with the
+  /// gradient g over liquid.
   THAW_INLINE void addTensors(const Pair& p, const Vector3<L>& all, const Vector3<L>& g, Sum& s) const {
     s.moment.xx = fma(all.x, p.d.x, s.moment.xx);
     s.moment.yy = fma(all.y, p.d.y, s.moment.yy);
@@ -160,7 +161,7 @@ struct CarriedDensity {
     const L own = Carried && Surfaces && !Mixed ? sizeOf(i.positionVolume.d) : i.positionVolume.d,
             total = L(static_cast<Real>(scale)) * (s.relativeDensity + own * Kernel::w(L(0.0))) -
                     L(static_cast<Real>(in->selfExcess)) * own;
-    int lanes = 0;  // the dummy row only pads the end of a group
+    int lanes = 0;  // number of particles, since the dummy row only pads the end of a group
     while (lanes < 8 && rows[lanes] != dummy) lanes++;
     constexpr Real together = Real(1e-20 / (unit * unit));
     if (any(s.closest < L(together)))
@@ -225,7 +226,7 @@ struct CarriedDensity {
     const L mean = (commonStiffness(step) * s.nearby - depth) / max(s.liquidKernelSum, L(1e-30));
     return select(s.liquidKernelSum > L(0.0), mean, L(0.0));
   }
-  /// Stiffness of the first liquid, the unit of compressions in records, over the particle's own.
+  /// Ratio of the first liquid's stiffness, the unit of compressions in records, to the particle's own.
   THAW_INLINE L commonStiffness(const Step& step) const {
     return narrowed(Lanes<double>(in->carry->liquids[0].stiffness) / step.stiffness, L(0.0));
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The step of carried densities of eight particles, from their sums over neighbours (carried_density.hpp).
-// Finds the free surface, gradient correction, shifting, and the relative density at the end of the step.
+// The step of carried densities of eight particles, from their sums over neighbours (carried_density.hpp). It
+// computes the free surface, gradient correction, shifting, and relative density at the end of the step.
 #pragma once
 #include "core/fluid/laws/free_surface.hpp"
 #include "core/fluid/pair_sums/carry.hpp"
@@ -25,7 +25,7 @@ template<class L> THAW_INLINE Vec3d laneAt(const Vector3<L>& v, int l) {
 template<class L> THAW_INLINE Tensor<L> scaled(L k, const Tensor<L>& a) {
   return {k * a.xx, k * a.yy, k * a.zz, k * a.xy, k * a.yz, k * a.xz};
 }
-/// Mask of the matrices whose eigenvalues all exceed `least` (Sylvester's criterion).
+/// Returns the mask of the lanes in which all eigenvalues exceed `least` (Sylvester's criterion).
 template<class L> THAW_INLINE typename L::Mask eigenvaluesAbove(const Tensor<L>& m, L least) {
   const L zero(0.0), a = m.xx - least, b = m.yy - least, c = m.zz - least;
   return (a > zero) & (a * b - m.xy * m.xy > zero) &
@@ -33,7 +33,7 @@ template<class L> THAW_INLINE typename L::Mask eigenvaluesAbove(const Tensor<L>&
           zero);
 }
 
-/// Sums over the neighbours of eight particles. Lengths in support radii.
+/// Sums over the neighbours of eight particles. Lengths are in support radii.
 template<class Real> struct CarrySums {
   using L = Lanes<Real>;
   L relativeDensity = L(0.0), rate = L(0.0), diffusion = L(0.0);  ///< 1, 1/s, 1/s
@@ -42,13 +42,13 @@ template<class Real> struct CarrySums {
   L solidShare = L(0.0);       ///< sum V W of solids over its lattice value
   L nearby = L(0.0);           ///< carried compression of liquid neighbours, extrapolated to the particle
   Vector3<L> gradient;         ///< gradient of the relative density
-  Vector3<L> surface, solid;   ///< away from neighbours at the free surface, away from solid neighbours
+  Vector3<L> surface, solid;   ///< directions away from neighbours at the free surface, and away from solid
+                               ///< neighbours
   Tensor<L> moment;
   Tensor<L> strain;  ///< 1/s, minus the rate of strain; sums of both halves off the diagonal
 };
 
-/// Advances eight particles. Mixed: several liquids, or
-/// solids, which carry the density of adjacent liquid.
+/// Advances eight particles. Mixed: several liquids, or solids that carry the density of adjacent liquid.
 template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLanes {
   using L = Lanes<Real>;
   using Wide = Lanes<double>;
@@ -57,10 +57,11 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
   GroupRows at;
   CarrySums<Real> s;
   LaneBits awake = 0;     ///< lanes of particles that the step changes
-  LaneBits inLiquid = 0;  ///< lanes of awake particles with liquid around
+  LaneBits inLiquid = 0;  ///< lanes of awake particles with liquid nearby
   L soundSpeed = L(1.0), atSurface = L(0.0), besideSurface = L(0.0);
   Wide stiffness = Wide(1.0), restVolume = Wide(1.0), compression = Wide(0.0);
-  Wide pressureLead = Wide(0.0), lead = Wide(0.0);  ///< s, 1: LiquidMaterial, change of density over it
+  Wide pressureLead = Wide(0.0), lead = Wide(0.0);  ///< s, LiquidMaterial::pressureLead; 1, change of the
+                                                    ///< relative density in that time
 
   template<class Column> THAW_INLINE Wide fromRows(Column column) const {
     Wide v;
@@ -162,11 +163,11 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
   }
 
   /// Velocity of shifting (m/s), along -grad C (LXSR12). The speed is at most CarryStep::shifting
-  /// times the speed of sound. Below it follows what makes disorder: strain, and tension (speed of
-  /// sqrt(|p| / rho)), so that liquid at rest is left alone. Particles at the free surface stay; those beside
-  /// it do not move towards it (S17 eq. 20). Particles beside a solid are shifted only along it:
-  /// shifting must keep the gap, since a few per cent of the displaced volume decide whether the solid
-  /// floats.
+  /// times the speed of sound. Below that, it is proportional to the causes of disorder: strain, and tension
+  /// (a speed of sqrt(|p| / rho)). Liquid at rest is thus not shifted. Particles at the free surface are not
+  /// shifted, and particles next to it are not shifted towards it (S17 eq. 20). Particles next to a solid are
+  /// shifted only along it. Shifting must keep the gap, since a few per cent of the displaced volume decide
+  /// whether the solid floats.
   THAW_INLINE void shift() {
     const L zero(0.0);
     L speed = L(x.shifting) * soundSpeed;
@@ -195,10 +196,10 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
         x.shiftingVelocity[at.row[l]] = x.walls.along(x.walls.context, at.row[l], laneAt(u, l));
   }
 
-  /// Inverse moment minus 1, times the interior weight: 0 up to a summed relative density of 0.9 (truncated
-  /// by a free surface), 1 from 0.95. 0 where neighbours are on one side, as at the surface of a thin jet:
-  /// there, crowded particles that reach 0.9 would oscillate. 0 where an eigenvalue is below 0.4:
-  /// corrections above 2.5 would be unstable at this step.
+  /// Inverse moment minus 1, times a weight. The weight is 0 up to a summed relative density of 0.9, where a
+  /// free surface truncates the sums, and 1 from 0.95 on. It is 0 if neighbours are on one side, as at the
+  /// surface of a thin jet. Compressed particles that reach 0.9 there would oscillate. It is also 0 if an
+  /// eigenvalue is below 0.4, since corrections above 2.5 would be unstable at this step.
   THAW_INLINE Tensor<L> correctionNow() const {
     const Tensor<L>& m = s.moment;
     const L zero(0.0), one(1.0);
@@ -241,12 +242,12 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     return select(p < Wide(0.0), Wide(x.tensileLimit) * p, p) / f2;
   }
 
-  /// Drift correction: change of the carried relative density in this step towards the summed one.
-  /// Shifting, splashing and clipped tension move particles without changing the carried density.
-  /// Inside the liquid the correction is slow, so that disorder causes no pressure noise; it never makes
-  /// tension. Next to the free surface it only counts the part that the truncated sum cannot explain, such as
-  /// voids of a splash. An excess above `tolerated` decays faster, also at the surface. off: summed less
-  /// carried relative density; steps: c dt / h.
+  /// Drift correction: change of the carried relative density in this step towards the summed one. It is
+  /// needed since shifting, splashing and clipped tension move particles without changing the carried
+  /// density. Inside the liquid the correction is slow, so that disorder causes no pressure noise, and it
+  /// never causes tension. Next to the free surface, only the part counts that truncation of the sum cannot
+  /// explain, such as voids of a splash. An excess above `tolerated` decays faster, even at the surface. off:
+  /// summed minus carried relative density; steps: c dt / h.
   THAW_INLINE Wide driftCorrection(Wide off, Wide carried, Wide steps) const {
     constexpr double perStep = 0.01, crowdedPerStep = 0.05, tolerated = 0.03, truncated = 0.1;
     const Wide zero(0.0), one(1.0), beside = widen(besideSurface), at = widen(atSurface);
@@ -256,8 +257,9 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
     return back + min(one, Wide(crowdedPerStep) * steps) * max(zero, off - Wide(tolerated));
   }
 
-  /// Share of the difference to liquid nearby that a solid's density makes up per acoustic time h/c [A12].
-  /// The liquid nearby is that of the step before, so a share near 1 would feed sound.
+  /// Share of the difference from nearby liquid by which a solid's density approaches it per acoustic time
+  /// h/c [A12]. The density of the liquid is that of the previous step, so a share near 1 would amplify
+  /// sound.
   static constexpr double towardsLiquidNearby = 0.5;
 
   /// Returns the relative density minus 1 at the end of the step. Records the compression energy that
@@ -276,7 +278,7 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
       if (x.solids) drift = select(f > zero, drift, nearby);
     }
     spread = spread + drift;
-    // mean of both ends of the step, as for the pressure work of the flow
+    // Mean over both ends of the step, as for the pressure work of the flow.
     const Wide half = Wide(0.5) * spread;
     const Wide energy = half * restVolume * (pressureTerm(flow + half) + pressureTerm(before + half));
     const Wide end = flow + spread;
@@ -293,8 +295,9 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
       if (inLiquid >> l & 1) *x.largestChange = std::max(*x.largestChange, size[l]);
   }
 
-  /// Lets the pressure lead the density by a fixed time: p(y + t dy/dt), a volume viscosity. It damps sound
-  /// but not shear. Returns the dissipated energy (J), by the mean of the leads at both ends of the step.
+  /// Makes the pressure lead the density by a fixed time t: p(y + t dy/dt). This is a volume viscosity, which
+  /// damps sound but not shear. Returns the dissipated energy (J), from the mean of the leads at both ends of
+  /// the step.
   THAW_INLINE Wide damp(Wide end) {
     if (!(x.dt > 0)) return Wide(0.0);
     const Wide rate = widen(s.rate), before = widen(at.floats(x.compressionRate));

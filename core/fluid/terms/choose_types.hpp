@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dispatch from the kernel and the precision of a scene to types, for code that is compiled once per
-// instruction set.
+// Dispatch from a scene's kernel and precision to C++ types, for code that is compiled once per instruction
+// set.
 #pragma once
 #include "core/fluid/pair_sums/pair_sums.hpp"
 #include "core/kernels/kernels.hpp"

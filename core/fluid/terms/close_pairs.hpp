@@ -7,8 +7,8 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Pairs of solid particles within the contact distance. They are rare, so they are listed for scalar code,
-/// and the phase is checked for close pairs only.
+/// Lists the pairs of solid particles within the contact distance. Such pairs are rare, so scalar code
+/// processes the list. The phase is checked only for close pairs.
 template<class Real> struct Close {
   using L = Lanes<Real>;
   const Record<Real>*positionVolume, *surface;

@@ -8,8 +8,8 @@ namespace THAW_ISA {
 namespace {
 
 /// Colour-field surface tension as printed in K05 / MCG03: -k lap(c) n / |n| where |n| exceeds a threshold.
-/// It violates Laplace's law under refinement (docs/theory/surface_tension.md), and is an explicit option
-/// only.
+/// It violates Laplace's law under refinement (docs/theory/surface_tension.md), so it is only an explicit
+/// option.
 template<class Real> struct ColourField {
   using L = Lanes<Real>;
   const Record<Real>*positionVolume, *surface, *pressurePhaseHeat;

@@ -7,7 +7,8 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Equals Forces (forces.hpp) bit by bit for groups without liquid nearby, where solids exchange only heat.
+/// Heat conduction between solids, for groups without liquid nearby. Results equal those of Forces
+/// (forces.hpp) bit by bit.
 template<class Real, class Kernel> struct Conduction {
   using L = Lanes<Real>;
   const Record<Real>*positionVolume, *pressurePhaseHeat;

@@ -7,9 +7,10 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Relative density: delta_i = sum_j V0_j W_ij / (its value on the lattice), self included, minus
-/// PairSums::selfExcess. It is 1 on the lattice and grows with compression like the density. At h = 2 dx the
-/// plain sum has 0.95 of that slope, also on bcc and fcc lattices (correction as in DA12 eq. 18).
+/// Relative density: delta_i = sum_j V0_j W_ij / (value of the sum on the lattice), self included, minus
+/// PairSums::selfExcess. It is 1 on the lattice and grows under compression like the density. Without
+/// selfExcess, a correction as in DA12 eq. 18, the slope would be 0.95 of that at h = 2 dx, on bcc and fcc
+/// lattices as well.
 template<class Real, class Kernel> struct Density {
   using L = Lanes<Real>;
   const Record<Real>* positionVolume;

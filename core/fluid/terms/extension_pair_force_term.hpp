@@ -6,7 +6,7 @@
 // A Law is made from PairConstants, and has
 //   static constexpr bool moves;  // whether it reads velocities
 //   template<class L> THAW_INLINE PairResult<L> operator()(const PairState<L>&) const;
-// with L = Lanes<float> or Lanes<double>, eight pairs at once. Each factor must be symmetric in both
+// with L = Lanes<float> or Lanes<double>, eight pairs at once. Each factor must be symmetric in the two
 // particles to the last bit, so that momentum is conserved.
 #pragma once
 #include "core/fluid/pair_sums/extension_pair_force.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 /// Differences are own - other.
 template<class L> struct PairState {
-  L r;                 ///< m, distance, less than the support radius and above 0
+  L r;                 ///< m, distance, above 0 and less than the support radius
   L x, y, z;           ///< m
   L vx, vy, vz;        ///< m/s; 0 if the law does not read velocities
   L own[3], other[3];  ///< values of PairForce::pack
@@ -62,7 +62,7 @@ template<class Real, class Law> struct PairForceTerm {
       p.vz = i.velocity.c - j.velocity.c;
     p.own[0] = i.values.a, p.own[1] = i.values.b, p.own[2] = i.values.c;
     p.other[0] = j.values.a, p.other[1] = j.values.b, p.other[2] = j.values.c;
-    const L weight = i.values.d * j.values.d;  // liquid fractions; 0 for the dummy row
+    const L weight = i.values.d * j.values.d;  // product of liquid fractions; 0 for the dummy row
     const PairResult<L> f = law(p);
     const auto acts = (p.r < support) & (p.r > L(0.0)) & (weight > L(0.0));
     const auto weighted = [&](L value) { return select(acts, weight * value, L(0.0)); };

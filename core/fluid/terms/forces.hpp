@@ -22,18 +22,18 @@ template<class L> THAW_INLINE L movableSolid(L liquidFraction) {
 /// Pressure: F_i = -1/S sum V_i V_j (p_i / d_i^2 + p_j / d_j^2) grad W with relative densities d and the
 /// lattice sum S (docs/theory/pressure.md; variational, M05 eq. 3.3), or as printed in K05. Viscosity:
 /// Monaghan's pair form along r (M05 eq. 8.9 without its artificial scaling), or MCG03 eq. 13
-/// (docs/theory/viscosity.md); implicit without Viscous (viscous_operator.hpp). Heat conduction: CM99 eq. 36.
-/// Fields of the records: docs/developer/extend.md.
-/// A solid particle responds with the pressure of its liquid neighbour (A12): the force is the
-/// gradient of the liquid's compression energy, so the pair conserves energy. It also has viscous drag. Two
-/// solids do not interact.
+/// (docs/theory/viscosity.md). Without Viscous it is implicit (viscous_operator.hpp). Heat conduction: CM99
+/// eq. 36. Fields of the records: docs/developer/extend.md.
+/// A solid particle responds with the pressure of its liquid neighbour (A12): the force is the gradient of
+/// the liquid's compression energy, so the pair conserves energy. It also has viscous drag. Two solids do not
+/// interact.
 /// Carried: pressure is a tensor, p / (relative density)^2 times the gradient correction, the inverse moment
-/// (BL99). The force is the adjoint of the corrected divergence, so pairs conserve momentum and
-/// energy. It is not central. The pressure of a solid near liquid acts only between that solid and liquids.
+/// (BL99). The force is the adjoint of the corrected divergence, so pairs conserve momentum and energy. It is
+/// not central. The pressure of a solid near liquid acts only between that solid and liquids.
 /// Relief: pressureDiagonal.d, pressureOffDiagonal.d and pressurePhaseHeat.a are the force on liquid from all
-/// its solid neighbours (core/fluid/laws/lattice_relief.hpp), divided among the pairs by V W of the
-/// solids. Fixed solids, which have a liquid fraction of -0, have no such force: they need not slip, and the
-/// force would stir liquid at rest.
+/// its solid neighbours (core/fluid/laws/lattice_relief.hpp), divided among the pairs by V W of the solids.
+/// Fixed solids, which have a liquid fraction of -0, have no such force: they need not slip, and the force
+/// would stir liquid at rest.
 template<class Real, class Kernel, bool Viscous, bool Laplacian, bool Heat, bool Carried = false,
          bool Relief = false>
 struct Forces {
@@ -43,7 +43,8 @@ struct Forces {
   const PairSums* in;
   L pressureScale, viscousScale, viscousWeight;  ///< viscousScale: per lengthUnit
   double heatScale;
-  L reliefScale, reliefPower;  ///< lattice sums of W to 1, over lengthUnit; 1/m, lengthUnit over the support
+  L reliefScale, reliefPower;  ///< reliefScale: normalises lattice sums of W to 1, divided by lengthUnit;
+                               ///< reliefPower: 1/m, lengthUnit over the support
   static constexpr double unit = lengthUnit<Real>;
   struct Data {
     Lanes4<Real> positionVolume, velocityViscosity, pressurePhaseHeat, pressureDiagonal, pressureOffDiagonal;
@@ -73,8 +74,8 @@ struct Forces {
     const L VV = i.positionVolume.d * j.positionVolume.d;
     const L slope = Kernel::slope(q, q2);
     const L fi = i.pressurePhaseHeat.b, fj = j.pressurePhaseHeat.b;
-    // Every factor below is equal for j, or of opposite sign, bit by bit. Sums in double precision then lose
-    // no momentum.
+    // For j, every factor below is equal or of opposite sign, bit by bit. Sums in double precision thus
+    // conserve momentum.
     const L strength = pressureScale * VV * slope,
             pressure = Carried ? L(0.0) : strength * (i.pressurePhaseHeat.a + j.pressurePhaseHeat.a);
     const L ux = i.velocityViscosity.a - j.velocityViscosity.a,
@@ -128,7 +129,7 @@ struct Forces {
       s.dissipated = fma(mu, approach, s.dissipated);
     }
     if constexpr (Heat) {
-      // Summed in double precision so that no heat is lost to rounding.
+      // The sum is in double precision, so that no heat is lost to rounding.
       s.heat += wide(conducted(VV, i.pressurePhaseHeat, j.pressurePhaseHeat, Kernel::laplace(q, q2)));
     }
   }

@@ -7,8 +7,8 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Free-surface indicator of a particle: |grad c| times a length such that a column of particles below a flat
-/// surface sums to 1.
+/// Free-surface indicator of a particle: |grad c| times a length. The length is such that the indicators of a
+/// column of particles below a flat surface sum to 1.
 template<class Real, class Kernel> struct FreeSurfaceIndicator {
   using L = Lanes<Real>;
   const Record<Real>* positionVolume;

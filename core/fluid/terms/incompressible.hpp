@@ -11,8 +11,8 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Rate of the relative density: d delta_i / dt = s sum_j V_j (v_i - v_j) . L_i grad W_ij (1/s), with the
-/// gradient correction L_i, which is 1 + PairSums::correction. Without Corrected, L_i is 1.
+/// Rate of the relative density: d delta_i / dt = s sum_j V_j (v_i - v_j) . L_i grad W_ij (1/s). L_i is the
+/// gradient correction, 1 + PairSums::correction. Without Corrected, L_i is 1.
 template<class Real, class Kernel, bool Corrected> struct Compression {
   using L = Lanes<Real>;
   const Record<Real>*positionVolume, *velocityViscosity;

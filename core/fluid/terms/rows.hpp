@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads and writes columns at the rows of eight lanes.
+// Functions that read and write columns at the rows of eight lanes.
 #pragma once
 #include "core/fluid/terms/lane_vectors.hpp"
 #include "core/math/mat3.hpp"
@@ -27,7 +27,7 @@ THAW_INLINE LanesF toFloats(LanesD a) { return narrowed(a, LanesF(0.0f)); }
 struct GroupRows {
   const std::uint32_t* row;
   int count;
-  bool consecutive;  ///< eight rows in a row, so that columns are read and written as vectors
+  bool consecutive;  ///< the eight rows are consecutive, so that columns are read and written as vectors
 
   THAW_INLINE LanesD doubles(const double* column) const {
     LanesD v;
@@ -54,7 +54,7 @@ THAW_INLINE GroupRows groupRows(const std::uint32_t* rows, int count) {
   return {rows, count, consecutive};
 }
 
-/// Prefetches a column at the rows of a group, which are mostly consecutive. Null: nothing.
+/// Prefetches a column at the rows of a group, which are mostly consecutive. A null column is ignored.
 template<class T> THAW_INLINE void prefetchRows(const T* column, const std::uint32_t* rows) {
   if (!column) return;
   const char* const at = reinterpret_cast<const char*>(column + rows[0]);
@@ -62,7 +62,7 @@ template<class T> THAW_INLINE void prefetchRows(const T* column, const std::uint
   for (std::size_t byte = 0; byte < 8 * sizeof(T); byte += line) __builtin_prefetch(at + byte);
 }
 
-/// Lanes that are written, as bits.
+/// Bit mask of the lanes that are written.
 using LaneBits = unsigned;
 
 template<class Real> THAW_INLINE void write(const GroupRows& r, LaneBits lanes, Lanes<Real> v, Real* column) {
@@ -105,7 +105,7 @@ template<class L> THAW_INLINE Tensor<L> tensors(const GroupRows& r, const Sym3f*
   Vec4f four[8], two[8];
   for (int l = 0; l < 8; l++) {
     const char* const from = reinterpret_cast<const char*>(column + r.row[l]);
-    double last;  // one load into a register: half of a vector would pass through memory
+    double last;  // a separate scalar, since half of a vector would pass through memory
     __builtin_memcpy(&four[l], from, 16);
     __builtin_memcpy(&last, from + 16, 8);
     two[l] = reinterpret_cast<Vec4f>(Pair64{last, 0});

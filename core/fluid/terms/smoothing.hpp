@@ -7,7 +7,7 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// XSPH (M89): mean velocity of the surrounding flow minus that of the particle, times epsilon.
+/// XSPH (M89): mean velocity of the surrounding flow minus the particle's velocity, times epsilon.
 template<class Real, class Kernel> struct Smoothing {
   using L = Lanes<Real>;
   const Record<Real>*positionVolume, *velocityViscosity, *surface;

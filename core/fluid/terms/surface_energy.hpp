@@ -39,7 +39,7 @@ template<class Real> struct SurfaceColour {
 };
 
 /// -V_i sum V_j (H (u_i - u_j) + (s_i + s_j) grad W), H the Hessian of W, u and s the derivatives of the
-/// energy by gradient and colour. Every factor is equal for j, or of opposite sign, bit by bit. The sum is in
+/// energy by gradient and colour. For j, every factor is equal or of opposite sign, bit by bit. The sum is in
 /// double precision, so no momentum is lost to rounding.
 template<class Real> struct SurfaceForces {
   using L = Lanes<Real>;

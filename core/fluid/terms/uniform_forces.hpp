@@ -10,8 +10,8 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Where all particles are liquid of one material (Modules::uniform), equals Forces (forces.hpp) with
-/// pairwise viscosity bit by bit, and Artificial (artificial_viscosity.hpp) to rounding.
+/// Forces for particles that are all liquid of one material (Modules::uniform). They equal Forces
+/// (forces.hpp) with pairwise viscosity bit by bit, and Artificial (artificial_viscosity.hpp) to rounding.
 /// velocityViscosity.d is the pressure term. With heat it is the temperature, which identifies the dummy row,
 /// and positionVolume.d is the pressure term, since all particles have the same volume.
 /// Carried: positionVolume.d, velocityViscosity.d and tensor hold the pressure tensor (forces.hpp);
@@ -105,7 +105,7 @@ template<class Real, class Kernel, bool Heat, bool Shocks, bool Carried = false>
   }
   THAW_INLINE void finish(const std::uint32_t* rows, const Data& i, const Sum& s, std::uint32_t dummy) const {
     for (int l = 0; l < 8; l++)
-      if (rows[l] != dummy) {  // the first sum of a step: assigned, so that nothing needs clearing
+      if (rows[l] != dummy) {  // the first sum of a step is assigned, so that nothing needs to be cleared
         Vec3d f{unit * s.x[l], unit * s.y[l], unit * s.z[l]};
         double dissipation = 0.5 * in->support * static_cast<double>(s.lost[l]);
         if constexpr (Heat) in->heatFlow[rows[l]] = heatScale * s.heat[l];

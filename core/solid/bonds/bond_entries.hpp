@@ -10,7 +10,7 @@ inline void copyBond(Bonds& b, std::size_t from, std::size_t to) {
   b.eachReal([&](BondReals& r) { r.set(to, r[from]); });
 }
 
-/// Clears an entry: weight 0 and the readable end `self`.
+/// Clears an entry. It gets the weight 0, and `self` as its readable end.
 inline void clearBond(Bonds& b, std::size_t at, std::uint32_t self) {
   b.neighbour[at] = self;
   b.eachReal([&](BondReals& r) { r.set(at, 0); });

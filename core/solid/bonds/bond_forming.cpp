@@ -21,7 +21,7 @@ bool wanted(const Continuum& p, const BondForming& f, std::size_t i, std::size_t
   return f.rule == BondRule::Welding && mayWeld(p, f, i, j);
 }
 
-/// Returns true if particles at a distance x (m) touch.
+/// Returns true if particles i and j touch. x: distance vector, m.
 bool touches(const Continuum& p, const BondForming& f, std::size_t i, std::size_t j, const Vec3d& x) {
   const double reach = p.body[i] == p.body[j] ? f.touch : f.touchBodies;
   return dot(x, x) < reach * reach;
@@ -81,7 +81,8 @@ bool touchesToWeld(const BondSearch& tables, const BondForming& f) {
 std::int64_t formBonds(const BondSearch& tables, const BondForming& forming,
                        std::vector<BondRequest>& requests, ListedGroups range) {
   const auto& [p, solids, bonds, lists] = tables;
-  // Shifted positions of periodic images are rounded: only unshifted ones give both ends the same bits.
+  // Shifted positions of periodic images are rounded, so only unshifted positions give both ends the same
+  // bits.
   const Column<Vec3d>& place = p.unwrappedPosition.active ? p.unwrappedPosition : p.position;
   const bool frames = forming.rule != BondRule::Start;
   std::int64_t welds = 0;

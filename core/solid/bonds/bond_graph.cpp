@@ -39,8 +39,8 @@ void BondGraph::removeRow(std::uint32_t row) {
 
 void BondGraph::dropBroken(const SolidTables& t) {
   Bonds& b = t.bonds;
-  references_.assign(before_, 0);  // a broken bond may have lost its other end, so all references are
-                                   // recounted
+  references_.assign(before_, 0);  // the other end of a broken bond may be unknown by now, so all references
+                                   // are recounted
   for (std::size_t s = 0; s < owned_; s++) {
     int kept = 0;
     const int used = used_[s];
@@ -141,7 +141,7 @@ void BondGraph::place(const SolidTables& t, std::span<const NewSolid> fresh, std
   }
   resizeBonds(b, newOwned_, b.capacity);
   used_.resize(groupsOf(newOwned_) * lanes, 0);
-  if (owned_ == 0 || remotesToCome > 0) {  // at a start: growth by doubling would take twice the memory
+  if (owned_ == 0 || remotesToCome > 0) {  // initial bonds: growth by doubling would take twice the memory
     const std::size_t rows = std::max(ids_.size() + fresh.size(), owned_ + remotesToCome);
     rowOf_.reserve(rows);
     ids_.reserve(rows);
@@ -210,12 +210,12 @@ void BondGraph::bond(const SolidTables& t, std::uint32_t from, const BondRecord&
   used_[solidIndex] = static_cast<std::uint16_t>(k + 1);
   references_[other]++;
   if (from < owned_)
-    t.solids.changed[solidIndex] = 1;  // new solids are flagged when their columns are created
+    t.solids.changed[solidIndex] = 1;  // new solids are marked when their columns are created
   mark(solidIndex / lanes);
 }
 
-/// Appends bonds from pairs[first] on while they connect one remaining solid to known, remaining owned
-/// solids: most bonds of a start. Returns the index of the first other pair.
+/// Appends bonds from pairs[first] on as long as they connect the same remaining solid to known, remaining
+/// owned solids. This covers most initial bonds. Returns the index of the first pair that differs.
 std::size_t BondGraph::bondOwned(const SolidTables& t, std::span<const BondPair> pairs, std::size_t first) {
   const std::uint32_t from = pairs[first].solidIndex, solidIndex = now_[from];
   if (solidIndex == noRow || t.bonds.vectors) return first;

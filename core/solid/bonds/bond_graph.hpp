@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // One rank's part of the bond graph: ids of solids, copies of other ranks' solid particles, and references
-// between rows. All changes go through an edit, whose cost is proportional to the change and not to the
-// table. New solids or the last solids fill the holes of removed ones, so few rows are renumbered. Only
-// groups of solids that can refer to these rows are visited. The reference count of each row shows when a
-// remote row is unused, and whether the visit has found every bond to change.
+// between rows. All changes are made in an edit. Its cost is proportional to the size of the change and
+// not of the table. New solids, or else the last solids, fill the holes of removed solids, so few rows are
+// renumbered. Only groups of solids that can refer to renumbered rows are visited. The reference count of
+// each row shows when a remote row is unused, and whether every bond to change was found.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -23,8 +23,7 @@ struct SolidTables {
   Bonds& bonds;
 };
 
-/// A solid to create for the owned particle in this row. `state` holds its packed State columns; nullptr: all
-/// zero.
+/// A solid to create for the owned particle in this row. state: its packed State columns; nullptr: all zero.
 struct NewSolid {
   std::uint32_t particle = 0;
   const std::byte* state = nullptr;
@@ -39,7 +38,7 @@ inline BondRecord bondOf(const BondRequest& q) {
 
 class BondGraph {
  public:
-  /// A remote row without references on this rank.
+  /// A remote row that is no longer referenced on this rank.
   struct Released {
     std::uint64_t id;
     int owner;
@@ -50,8 +49,8 @@ class BondGraph {
   // Between edits.
   std::size_t owned() const { return owned_; }
   std::size_t rows() const { return ids_.size(); }
-  /// Returns the owned solid or remote row of a solid particle, else noRow. During an edit: its number as
-  /// used by `bond`.
+  /// Returns the owned solid or remote row of a solid particle, else noRow. During an edit, returns the
+  /// number that `bond` uses.
   std::uint32_t rowOf(std::uint64_t id) const { return rowOf_.find(id); }
   std::uint64_t idOf(std::uint32_t row) const { return ids_[row]; }
   int ownerOf(std::uint32_t row) const { return owner_[row]; }
@@ -64,7 +63,7 @@ class BondGraph {
   /// Removes broken bonds; the order of the others stays.
   void dropBroken(const SolidTables& t);
   /// Removes a solid whose particle moved to rank ownerOf(solid). Bonds to it stay, unless the owner is
-  /// negative at finish: no longer solid.
+  /// negative at `finish`, which means that the particle is no longer solid.
   void depart(const Bonds& bonds, std::uint32_t solidIndex);
   /// Removes a particle that is no longer solid, on this rank or (removeRemote) on its owner, with all bonds
   /// to it.
@@ -80,9 +79,9 @@ class BondGraph {
   /// Reserves this many bonds per solid.
   void reserve(Bonds& bonds, int capacity) const;
   /// Appends a bond to a solid. The other end is owned here, has a remote row, or gets one if owner is
-  /// another rank (>= 0). Otherwise no bond is made; nor is one to itself or of a departing solid. A new
-  /// solid that arrives with a bond to a vanished particle has lost that bond: Solids::exposed is set. known:
-  /// owned solid of the other end, if available.
+  /// another rank (>= 0). Otherwise no bond is made. No bond is made to the solid itself, or for a departing
+  /// solid. If a new solid arrives with a bond to a vanished particle, it has lost that bond, and
+  /// Solids::exposed is set. known: owned solid at the other end, if the caller has it.
   void bond(const SolidTables& t, std::uint32_t solidIndex, const BondRecord& record, int owner,
             std::uint32_t known = noRow);
   /// Appends many bonds without vectors. ownerOf(pair) is called for ends without a row here and for
@@ -96,27 +95,28 @@ class BondGraph {
             i++;
     }
   }
-  /// Renumbers. Ensures: the tables satisfy BondHalo::rebuildBonds. Solids::changed is set for solids with
-  /// changed bonds, for new or moved solids, and where the other end of a bond became remote or owned.
+  /// Renumbers rows. Ensures: the tables satisfy BondHalo::rebuildBonds. Solids::changed is set for solids
+  /// with changed bonds, for new or moved solids, and where the other end of a bond became remote or owned.
   void finish(const SolidTables& t);
 
   // After an edit.
-  /// Returns the new number of a row from before the edit; noRow if removed.
+  /// Returns the new number of a row that existed before the edit; noRow if it was removed.
   std::uint32_t now(std::uint32_t before) const { return now_[before]; }
   bool isRemote(std::uint32_t row) const { return row >= owned_ && row != noRow; }
-  /// Remote rows created in this edit, and remote rows released, other than by removeRemote or by arrival of
-  /// the particle.
+  /// Remote rows created in this edit, and remote rows released in it. Rows released by removeRemote or by
+  /// arrival of the particle are excluded.
   std::span<const std::uint32_t> newRemoteRows() const { return newRemotes_; }
   std::span<const Released> released() const { return released_; }
   /// Returns the memory in bytes, edit buffers included.
   std::size_t bytes() const;
-  /// Throws std::logic_error if the graph and the tables disagree. For tests: visits everything.
+  /// Throws std::logic_error if the graph and the tables disagree. It visits everything, so it is meant for
+  /// tests.
   void check(const SolidTables& t) const;
 
  private:
   struct Alias {
     std::uint32_t row, replacement;
-  };  // bonds that refer to `row` mean `replacement`
+  };  // bonds to `row` are redirected to `replacement`
   template<class Asked> std::size_t largestRowCount(std::span<const Asked> asked) const;
   std::size_t bondOwned(const SolidTables& t, std::span<const BondPair> pairs, std::size_t first);
   void removeRow(std::uint32_t row);
@@ -137,24 +137,24 @@ class BondGraph {
   IdTable rowOf_;
   std::vector<std::uint64_t> ids_;         // by row
   std::vector<int> owner_;                 // by row
-  std::vector<std::uint32_t> references_;  // by row: number of local bonds that refer to it
+  std::vector<std::uint32_t> references_;  // by row: number of local bonds that refer to the row
   std::vector<std::uint16_t> used_;     // by solid, padding lanes included: number of entries in use, broken
                                         // bonds included
-  std::vector<std::uint8_t> boundary_;  // by group: 1 if some bond refers to a remote row
+  std::vector<std::uint8_t> boundary_;  // by group: 1 if a bond refers to a remote row
   // State of the current edit.
-  std::size_t newOwned_ = 0, newRows_ = 0, before_ = 0;  // before_: number of rows before it
-  std::vector<std::uint32_t> now_;  // new number of each old row; remote rows made in the edit get theirs at
-                                    // its end
+  std::size_t newOwned_ = 0, newRows_ = 0, before_ = 0;  // before_: number of rows before the edit
+  std::vector<std::uint32_t> now_;  // new number of each old row; remote rows created in the edit get their
+                                    // numbers at its end
   std::vector<std::uint32_t> leaving_, departed_, movers_, unnamed_, relocated_, newRemotes_;
-  std::vector<std::uint32_t> lostBonds_;  // new solids, in the numbering of `bond`, that arrived with a bond
-                                          // to a particle that is no longer solid
+  std::vector<std::uint32_t> lostBonds_;  // new solids that arrived with a bond to a particle that is no
+                                          // longer solid, numbered as in `bond`
   std::vector<Alias> aliases_;
   std::vector<Released> released_;
   std::vector<NewSolid> fresh_;
   std::vector<std::uint32_t> marked_;
   std::vector<std::uint8_t> isMarked_, touched_, isAlias_;
-  std::vector<std::uint8_t> turned_;  // by old row: it changed between remote and owned, possibly with the
-                                      // same number
+  std::vector<std::uint8_t> turned_;  // by old row: 1 if it changed between remote and owned, possibly with
+                                      // the same number
   struct Renumbered {
     std::uint32_t to, references;
     std::uint64_t id;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of a bond update: rows and bonds move to the positions that bond_graph.cpp assigned.
+// The last part of a bond update. Rows and bonds move to the positions that bond_graph.cpp assigned.
 #include <algorithm>
 #include <cstring>
 #include <stdexcept>
@@ -94,7 +94,7 @@ void BondGraph::rebuildGroups(const SolidTables& t) {
       if (boundary_[g]) mark(g);
   for (std::size_t i = 0; i < marked_.size(); i++)
     if (marked_[i] < groups) met += rebuildGroup(t, marked_[i]);
-  if (met != expected) {  // some bond has no counterpart at its other end, so it may be in any group
+  if (met != expected) {  // a bond has no counterpart at its other end, so it may be in any group
     isMarked_.resize(std::max(isMarked_.size(), groups), 0);
     for (std::size_t g = 0; g < groups; g++)
       if (!isMarked_[g]) met += rebuildGroup(t, g);

@@ -9,8 +9,8 @@ namespace thaw {
 
 namespace {
 
-constexpr std::uint64_t endsOnly = std::uint64_t(1) << 63;  // flag in the number of bonds: only ids of the
-                                                            // other ends follow
+constexpr std::uint64_t endsOnly = std::uint64_t(1) << 63;  // flag in the number of bonds; if set, only the
+                                                            // ids of the other ends follow
 
 }  // namespace
 

@@ -12,13 +12,13 @@ namespace thaw {
 
 struct BondRecord {
   std::uint64_t neighbourId;
-  double reference[3], reverse[3];  ///< m, X_ij and X_ji; 0, like the weight, if bonds have no vectors
-                                    ///< (Bonds::vectors)
+  double reference[3], reverse[3];  ///< m, X_ij and X_ji; if bonds have no vectors (Bonds::vectors), these
+                                    ///< and the weight are 0
   double weight;
 };
 
-/// A sequence of solid particles. Each record has the id, the number of bonds, the State columns of Solids
-/// and the bonds in order. Bonds without vectors are ids alone.
+/// A sequence of solid particles. Each record consists of the id, the number of bonds, the State columns of
+/// Solids, and the bonds in order. For bonds without vectors, only ids are stored.
 struct SolidRecords {
   std::vector<std::byte> bytes;
 };
@@ -26,7 +26,7 @@ struct SolidRecords {
 /// Appends the record of a solid.
 void appendRecord(const Solids& solids, const Bonds& bonds, std::uint32_t solidIndex, SolidRecords& records);
 
-/// Appends a record without its State columns; returns the offset for them.
+/// Appends a record without filling its State columns. Returns their offset.
 std::size_t appendHead(SolidRecords& records, std::uint64_t id, std::size_t stateBytes,
                        std::span<const BondRecord> bonds, bool vectors);
 

@@ -8,9 +8,10 @@
 
 namespace thaw {
 
-/// w = (1 - r^2/h^2)^3, and 0 for r >= 0.9995 h; 1. Not normalised: only ratios of weights matter. The bits
-/// are equal for X and -X. The cutoff excludes lattice neighbours at h up to rounding. A weight near 1e-44
-/// must not be the only one left after melting, since a float cannot hold its inverse.
+/// Returns the weight w = (1 - r^2/h^2)^3 (1), or 0 for r >= 0.9995 h. It is not normalised, since only
+/// ratios of weights matter. X and -X give the same bits. The cutoff excludes lattice neighbours whose
+/// distance is h up to rounding. Otherwise a weight near 1e-44 could be the only one left after melting, and
+/// a float cannot store its inverse.
 inline double bondWeight(const Vec3d& reference, double support) {
   const double q = 1 - dot(reference, reference) / (support * support);
   return q > 1e-3 ? q * q * q : 0;

@@ -10,7 +10,7 @@
 namespace thaw {
 namespace {
 
-/// Returns true if some bond of the solid has an end for which `is` holds.
+/// Returns true if `is` is true for the other end of a bond of the solid.
 template<class Is>
 bool anyEnd(const ElasticWork& work, const Bonds& bonds, std::size_t solidIndex, const Is& is) {
   for (int k = 0; k < work.bondCount[solidIndex / lanes]; k++)
@@ -35,10 +35,10 @@ void clearSolid(Solids& solids, std::size_t solidIndex) {
   if (solids.end.active) clearEnd(solids.end[solidIndex]);
   else clearEnd(solids.endDouble[solidIndex]);
   solids.force[solidIndex] = {};
-  if (!(determinant(solids.deformation[solidIndex]) > 0))  // unknown: the solid came from a file or another
-                                                           // rank
+  if (!(determinant(solids.deformation[solidIndex]) > 0))  // F is unknown if the solid came from a file or
+                                                           // another rank
     solids.deformation[solidIndex] = identity3<double>();
-  // it may turn
+  // the axes may turn
   if (solids.lastGradient.active) solids.lastGradient[solidIndex] = -1.0 * identity3<double>();
   if (solids.drag.active) solids.drag[solidIndex] = 0;
   if (solids.dissipated.active) solids.dissipated[solidIndex] = 0;
@@ -57,7 +57,7 @@ void chooseActiveSolids(ElasticWork& work, Solids& solids, const Bonds& bonds, c
   work.sleeping = false;
   for (std::size_t s = 0; s < solids.owned; s++) {
     if (!insidePiece(work, bonds, s, pieces)) {
-      // The last evaluation left out F, and a frame may be written before the next one.
+      // The last evaluation did not compute F, and a frame may be written before the next evaluation.
       if (s < wasPassive.size() && wasPassive[s] != 0) deformSolid(work, solids, bonds, s);
       continue;
     }
@@ -67,7 +67,8 @@ void chooseActiveSolids(ElasticWork& work, Solids& solids, const Bonds& bonds, c
   }
   if (!work.sleeping) return;
   packPositions(work, solids, 0, solids.owned);  // the sums also read the passive ends of bonds
-  // The owner of a remote end decides whether it is passive, so all groups with remote ends are active.
+  // Only the owner of a remote end can determine whether the end is passive, so all groups with remote ends
+  // are active.
   const auto pulls = [&](std::uint32_t end) { return end >= solids.owned || !work.plasticFixed[end]; };
   const auto choose = [&](const std::vector<std::uint32_t>& all, std::vector<std::uint32_t>& active) {
     active.clear();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The loop over bonds that computes deformation and stress: each lane is a solid and sums its bonds in order.
-// The library compiles it with its own laws, an extension with one of its laws. Only code for one instruction
-// set includes this.
+// The loop over bonds that computes deformation and stress. Each lane is a solid and sums its bonds in order.
+// The library compiles the loop with its own laws, an extension with one of its laws. Only code that is
+// compiled per instruction set includes this.
 #pragma once
 #include "core/solid/elasticity/law_lanes.hpp"
 #include "core/solid/laws/green.hpp"
@@ -11,14 +11,14 @@ namespace thaw {
 namespace THAW_ISA {
 namespace {
 
-/// Adds w u (x) X of bonds [at, end) to sum. tears: excess becomes the maximum of x^2 - stretch2 X^2, > 0 if
-/// some bond may break.
+/// Adds w u (x) X of bonds [at, end) to sum. tears: excess becomes the maximum of x^2 - stretch2 X^2, which
+/// is > 0 if a bond may break.
 template<bool tears, class Real, bool periodic, bool vectors>
 THAW_INLINE void sumGradient(const BondLoader<Real, periodic, vectors>& bonds, std::size_t at,
                              std::size_t end, const Lanes<Real>& stretch2, Mat3<Lanes<Real>>& sum,
                              Lanes<Real>& excess) {
   const ElasticArrays& a = bonds.a;
-  // Local rows stay in registers; the matrix itself would stay in memory.
+  // Local rows stay in registers, while the matrix itself would stay in memory.
   Vec3<Lanes<Real>> x = sum.row[0], y = sum.row[1], z = sum.row[2];
   for (; at < end; at += 8) {
     const EightBonds<Real> b = bonds(at);
@@ -65,11 +65,11 @@ __attribute__((flatten)) void deformationOf(ElasticArrays& a) {
   for (std::size_t gi = 0; gi < a.groupCount; gi++) {
     const std::size_t g = a.groups[gi], s0 = 8 * g, base = g * a.capacity * 8;
     const int n = a.owned - s0 < 8 ? static_cast<int>(a.owned - s0) : 8;
-    // Data written lane by lane and read as vectors is stored before the loop, to avoid store-forwarding
-    // stalls.
+    // Data that is written lane by lane and read as vectors is stored before the loop, to avoid
+    // store-forwarding stalls.
     loadLaneConstants(a, s0, n, c);
     for (int l = 0; l < 8; l++) {
-      // a pointer: compilers copy a conditional value through memory
+      // a pointer, since compilers copy a conditional value through memory
       const Sym3d* m = l < n ? a.momentInverse + s0 + l : &none;
       inverse[0][l] = m->xx, inverse[1][l] = m->yy, inverse[2][l] = m->zz, inverse[3][l] = m->xy,
       inverse[4][l] = m->yz, inverse[5][l] = m->xz;

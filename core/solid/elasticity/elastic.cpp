@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Preparation of the bond loops (elastic_isa.cpp), and their scalar parts.
+// Preparation of the bond loops (elastic_isa.cpp), and scalar parts of the loops.
 #include "core/solid/elasticity/elastic.hpp"
 
 #include <cmath>
@@ -54,7 +54,8 @@ ElasticArrays arraysOf(ElasticWork& work, Solids& solids, const Bonds& bonds, co
   for (int k = 0; k < 3; k++) a.period[k] = single ? work.periods.length[k] / a.unit : work.periods.length[k];
   a.dt = step.dt;
   if (work.minBreakStretch < never) {
-    // Slightly early, since lengths in the loop are rounded to float; fracture.cpp decides in double.
+    // The limit is slightly lower, since lengths in the loop are rounded to float. fracture.cpp decides in
+    // double precision.
     a.breakStretch2 = 0.9999 * work.minBreakStretch * work.minBreakStretch;
     a.stretched = work.stretched.data();
   }
@@ -109,7 +110,7 @@ void deform(const ElasticWork& work, const Solids& solids, ElasticArrays& a) {
   }
 }
 
-/// Lists the different laws of a group with their lanes.
+/// Lists the distinct laws of a group with their lanes.
 void listLaws(LaneConstants& c) {
   c.laws = 0;
   for (int l = 0; l < 8; l++) {
@@ -196,7 +197,7 @@ void yieldHourglass(const ElasticArrays& a, std::size_t solidIndex, int lane, La
 
 namespace {
 
-/// Returns the work (Pa) of a flow that ends with F - 1 = g.
+/// Returns the work (Pa) dissipated by a plastic flow that ends with F - 1 = g.
 double lossOf(const ElasticArrays& a, const ElasticConstants& c, std::size_t solidIndex, const Mat3d& g,
               const PlasticFlow& flow) {
   if (!a.lastGradient) return flow.loss;

@@ -9,8 +9,8 @@
 // derivative of the energy, which conserves momentum, angular momentum and energy. With flux_i = V_i P_i
 // A_i^-1 - k_i grad u_i the force on i is
 //   sum_j w_ij [ flux_i X_ij - flux_j X_ji + k_i (x_ij - X_ij) + k_j (x_ij + X_ji) ].
-// The gradient alone is too soft for short waves, by a fraction (k dx)^2/6 at bonds of up to 2 spacings. It
-// is too soft for bending as well, since neighbourhoods at a surface are one-sided. The penalty is of the
+// The gradient alone is too soft for short waves, by a fraction (k dx)^2/6 with bonds of up to 2 spacings. It
+// is also too soft for bending, since neighbourhoods at a surface are one-sided. The hourglass term is of the
 // same order in dx. With alpha = 1.5, S waves along an axis have no second-order error; with bonds of 1.7
 // spacings and alpha = 1.25, bending has almost none (benchmarks/accuracy: p_wave, cantilever). Bonds of 1.5
 // spacings need alpha = 1, but halve the step of unevenly frozen solids.
@@ -33,15 +33,16 @@ namespace thaw {
 struct ElasticKernels;
 struct ReferenceKernels;
 
-/// Inner groups of 8 solids have no bonds to remote rows, so their sums need no data of other ranks.
+/// Inner: groups of 8 solids without bonds to remote rows, whose sums need no data of other ranks. Boundary:
+/// the other groups.
 enum class SolidPart { Inner, Boundary };
 
 /// Work data of the elastic step. It is not part of the state: everything follows from the bonds.
 struct ElasticWork {
-  const ElasticKernels* kernels = nullptr;  ///< the bond loops; nullptr: the best for this processor
+  const ElasticKernels* kernels = nullptr;  ///< the bond loops; nullptr: the best set for this processor
   const ReferenceKernels* referenceKernels = nullptr;  ///< loops over bonds for reference data
-  /// Loops with laws of extensions (LawKernels::deformation): one if all solids have the same law, else by
-  /// material. Empty without such laws.
+  /// Loops with laws of extensions (LawKernels::deformation). There is one loop if all solids have the same
+  /// law, else one per material. Empty without such laws.
   std::vector<LawLoop> lawLoops;
   // From the scene.
   std::vector<Material> materials;
@@ -54,36 +55,38 @@ struct ElasticWork {
   double touch = 0;  ///< m, distance below which unbonded solids repel each other; 0: no repulsion
   bool damping = false, plastic = false, periodic = false;
   bool energyInSteps = true, deformationInSteps = true;  ///< true: every evaluation computes Solids::energy
-                                                         ///< and Solids::deformation; else findElasticEnergy
-                                                         ///< (solid_step.hpp) does on demand
+                                                         ///< and Solids::deformation; false:
+                                                         ///< findElasticEnergy (solid_step.hpp) computes both
+                                                         ///< on demand
   // From the bonds, by refreshReference.
   int capacity = 0;                            ///< capacity of the bonds described below
-  std::vector<std::uint8_t> remoteGroup;       ///< by group: 1 if some bond has a remote end
+  std::vector<std::uint8_t> remoteGroup;       ///< by group: 1 if a bond has a remote end
   std::vector<std::uint32_t> inner, boundary;  ///< groups of owned solids
   std::vector<std::uint16_t> bondCount;        ///< by group: number of bonds of its longest row
-  std::vector<std::uint8_t> ownFrames;  ///< by group: 1 if some bond has its own reference at each end, X_ji
+  std::vector<std::uint8_t> ownFrames;  ///< by group: 1 if a bond has different references at its ends, X_ji
                                         ///< != -X_ij (only if bonds have vectors)
   std::vector<std::uint8_t> rank;       ///< by owned solid: rank of A
-  std::vector<std::uint8_t> singularLanes;    ///< by group: bit l: rank of solid l < 3
-  std::vector<std::uint8_t> flows;            ///< by owned solid, from phase 1: plastic strain changed
+  std::vector<std::uint8_t> singularLanes;    ///< by group: bit l is set if the rank of solid l is < 3
+  std::vector<std::uint8_t> flows;            ///< by owned solid, from phase 1: 1 if plastic strain changed
                                               ///< (rereference.hpp)
-  std::vector<std::uint8_t> stretched;        ///< by group, from phase 1: some bond may exceed its limit
-                                              ///< (fracture.hpp)
+  std::vector<std::uint8_t> stretched;        ///< by group, from phase 1: 1 if a bond may exceed its stretch
+                                              ///< limit (fracture.hpp)
   AlignedVector<double> perTrace, perWeight;  ///< by owned solid: 1/tr A (1/m^2) and 1/sum w; 0 without bonds
   AlignedVector<double> strainBound;  ///< by owned solid, 1/m: bound of the strain-displacement operator
                                       ///< (elasticStepLimit)
   // Sleep (core/sleep/sleep.hpp).
   bool sleeping = false;  ///< active groups are innerAwake and boundaryAwake
   std::vector<std::uint32_t> innerAwake, boundaryAwake;
-  std::vector<std::uint8_t> plasticFixed;  ///< by owned solid: plastic strain is fixed; with
-                                           ///< numerics.rigidify: it is passive (active_solids.hpp)
+  std::vector<std::uint8_t> plasticFixed;  ///< by owned solid: 1 if plastic strain is fixed; with
+                                           ///< numerics.rigidify: 1 if the solid is passive
+                                           ///< (active_solids.hpp)
   std::vector<double> groupStretch2;       ///< by group: largest squared stretch of the last evaluation
   // Velocity and drag by row, if bonds are damped; float or double by precision.
   AlignedVector<float> velocityDrag;
   AlignedVector<double> velocityDragDouble;
 };
 
-/// Calls work(first, last) for the active owned solids: all, or those of awake groups.
+/// Calls work(first, last) for ranges of active owned solids: all solids, or the solids of awake groups.
 template<class Work> void forEachAwake(const ElasticWork& elastic, const Solids& solids, const Work& work) {
   if (!elastic.sleeping) return work(std::size_t{0}, solids.owned);
   for (const std::vector<std::uint32_t>* groups : {&elastic.innerAwake, &elastic.boundaryAwake})
@@ -121,13 +124,13 @@ struct SolidSetup {
 /// constants of `work`. Call it once, before the first bond is made.
 void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, ElasticWork& work,
                          const SolidSetup& setup);
-/// Returns the fields that each step recomputes from positions and bonds, two thirds of the bytes. They are
-/// unused before bonds exist.
+/// Returns the fields that each step recomputes from positions and bonds. They have two thirds of the bytes,
+/// and are unused before bonds exist.
 std::vector<AnyColumn*> columnsOfSteps(Solids& solids, const ElasticWork& work);
 
-/// Columns that remote rows need: after rebuildBonds and before refreshReference (data that is constant while
-/// bonds are), before phase 1 (computeDeformationAndStress), and before phase 2 (computeElasticForces). A
-/// step is:
+/// Columns that remote rows need at three times: after rebuildBonds and before refreshReference (data that is
+/// constant as long as bonds are), before phase 1 (computeDeformationAndStress), and before phase 2
+/// (computeElasticForces). A step is:
 ///   copyToSolids; begin(BeforeDeformation); phase 1 Inner; finish; phase 1 Boundary;
 ///   breakBonds (fracture.hpp); rereference (rereference.hpp); begin(BeforeForces); phase 2 Inner; finish;
 ///   phase 2 Boundary; addSolidForces.
@@ -135,23 +138,24 @@ ColumnList remoteColumnsAfterRebuild(Solids& solids);
 ColumnList remoteColumnsBeforeDeformation(Solids& solids);
 ColumnList remoteColumnsBeforeForces(Solids& solids);
 
-/// Sets the reference configuration to the current positions, if all bonds share one. Requires: called before
-/// the bonds of the start are made.
+/// Sets the reference configuration to the current positions, if all bonds share one configuration. Call it
+/// before the initial bonds are made.
 void takeReferences(const Continuum& particles, Solids& solids);
-/// Copies position (and velocity and liquid fraction, where active) from the particles of owned solids.
+/// Copies positions (and velocities and liquid fractions, if active) from the particles to their owned
+/// solids.
 void copyToSolids(const Continuum& particles, Solids& solids);
-/// Sets the rest volume (mass over the material's density) of owned solids without one: newly solid
-/// particles.
+/// Sets the rest volume (m^3, mass over the material's density) of owned solids that have none, which are
+/// newly solid particles.
 void fillNewSolids(const Continuum& particles, Solids& solids, const ElasticWork& work, bool atStart);
 /// Adds the elastic force, and the dissipation of the step divided by dt, to the particles of owned solids.
 /// Sleeping groups are skipped.
 void addSolidForces(const ElasticWork& work, const Solids& solids, Continuum& particles, double dt);
 
-/// Updates A^-1 and the other bond data in `work`, for solids with `changed` set, or for all solids if `all`
-/// (for bonds made by hand). Call it after every bond update and the exchange of remoteColumnsAfterRebuild.
-/// The update also sets `changed` for renumbered solids, and where a bond's other end became remote or owned.
-/// The bits do not depend on which solids are recomputed. Clears `changed`. Returns the number of owned
-/// solids with rank < 3.
+/// Updates A^-1 and the other bond data in `work` for solids with `changed` set. all: updates all solids, for
+/// bonds made without bond updates. Call it after every bond update and the exchange of
+/// remoteColumnsAfterRebuild. A bond update also sets `changed` for renumbered solids, and for solids with a
+/// bond whose other end became remote or owned. The bits do not depend on which solids are recomputed. Clears
+/// `changed`. Returns the number of owned solids with rank < 3.
 std::int64_t refreshReference(ElasticWork& work, Solids& solids, Bonds& bonds, bool all);
 
 /// Phase 1: F, plastic flow, stress and flux of the groups of this part. Requires: Solids::position of owned
@@ -173,23 +177,24 @@ void computeElasticForces(ElasticWork& work, Solids& solids, Bonds& bonds, const
 /// phase 1. For output.
 void computeCauchyStress(const ElasticWork& work, Solids& solids);
 
-/// Bound of the strain-displacement operator of a solid: sum_j |w_j A^-1 X_j| + |sum_j w_j A^-1 X_j|, in 1/m,
-/// the strain per metre of neighbour displacement. The largest frequency of a body is below sqrt(0.45) c_p
-/// times it (measured squares: 0.21 on a lattice, 0.25-0.35 in disorder, 0.45 in a crumpled sheet). Faces and
-/// corners of a lattice have up to latticeStrainBound / spacing for bonds of at least 1.5 spacings.
+/// The strain bound of a solid is sum_j |w_j A^-1 X_j| + |sum_j w_j A^-1 X_j|, in 1/m. It bounds the strain
+/// per metre of neighbour displacement. The largest frequency of a body is below sqrt(0.45) c_p times the
+/// strain bound. (Measured values of the square: 0.21 on a lattice, 0.25-0.35 in disorder, 0.45 in a crumpled
+/// sheet.) At faces and corners of a lattice it is up to latticeStrainBound / spacing for bonds of at least
+/// 1.5 spacings.
 inline constexpr double latticeStrainBound = 4.75;
 inline constexpr double flatStrainFactor = 1.4;  ///< factor for rows and sheets of particles: the
                                                  ///< frequency of a pair is c_p times the bound
-/// Largest bound over the owned solids (1/m), each times the largest stretch of Fp^-1, by which plastic flow
-/// changed the reference.
+/// Largest product, over the owned solids, of the strain bound (1/m) and the largest stretch of Fp^-1.
+/// Plastic flow changed the reference by that stretch.
 double largestStrainBound(const ElasticWork& work, const Solids& solids);
 /// Returns the number of owned solids whose moment matrix has rank < 3.
 std::int64_t countSingular(const ElasticWork& work, const Solids& solids);
 
 /// Largest stable time step (s) of all materials that can be solid, and of bond damping: cflElastic * d /
-/// c_p. d is the spacing, or latticeStrainBound / strainBound for neighbourhoods less even than a lattice.
-/// c_p is that of the stiffest state, with hourglass control, volume force and, for Green strain, stiffening
-/// by the given squared stretch.
+/// c_p. d is the spacing, or latticeStrainBound / strainBound for neighbourhoods less regular than a lattice.
+/// c_p is the wave speed of the stiffest state, with hourglass control, volume force and, for Green strain,
+/// stiffening at the squared stretch maxStretch2.
 double elasticStepLimit(const Scene& scene, double maxStretch2 = 1, double strainBound = 0);
 
 }  // namespace thaw

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The two bond loops: each lane is a solid and sums its bonds in order.
+// The two bond loops. Each lane is a solid and sums its bonds in order.
 #include "core/solid/elasticity/deformation_lanes.hpp"
 #include "core/solid/laws/laws.hpp"
 
@@ -15,8 +15,8 @@ THAW_INLINE Mat3<LanesD> select(MaskD m, const Mat3<LanesD>& a, const Mat3<Lanes
 }
 
 /// Vector version, for eight matrices F, of the function in core/solid/laws/corotated.hpp. Each lane stops
-/// independently, so its bits do not depend on its group. Lanes where Newton's iteration does not apply
-/// (nearly singular or inverted F) are found one by one.
+/// independently, so its bits do not depend on its group. Lanes for which Newton's iteration does not apply
+/// (nearly singular or inverted F) are computed one by one.
 THAW_INLINE Mat3<LanesD> nearestRotation(const Mat3<LanesD>& f) {
   const LanesD size = doubleDot(f, f) / LanesD(3.0);
   const MaskD usable = determinant(f) > LanesD(newtonsShare) * size * sqrt(size);
@@ -85,15 +85,15 @@ template<class Real, bool periodic, bool vectors, bool more> void forcesOf(const
         }
       gradient = loadMatrix<Real>(gradU);
     }
-    const bool oneFrame = vectors && a.ownFrames[g] == 0;  // for most groups the reverse vector is not read
-    LanesD fx(0.0), fy(0.0), fz(0.0), lost(0.0);  // sums in double: momentum is conserved to double rounding
-                                                  // in single precision too
+    const bool oneFrame = vectors && a.ownFrames[g] == 0;  // most groups do not read the reverse vector
+    LanesD fx(0.0), fy(0.0), fz(0.0), lost(0.0);  // sums in double precision, so momentum is conserved to
+                                                  // double rounding even with single-precision data
     T errors(Real(0));
     for (std::size_t at = base, end = base + std::size_t(a.bondCount[g]) * 8; at < end; at += 8) {
       const std::uint32_t* rows = a.neighbour + at;
       const EightBonds<Real> b = bonds(at);
       const Vec3<T>&ref = b.reference, &u = b.u;
-      // Same as loadFluxes, without a struct that would spill to memory.
+      // The same as loadFluxes, but without a struct that would spill to memory.
       const Lanes4<Real> third = load<4>(bonds.records + 2, rows), fourth = load<4>(bonds.records + 3, rows);
       const T k = b.ends.second.c;
       const Vec3<T> j0{b.ends.second.d, third.a, third.b}, j1{third.c, third.d, fourth.a},
@@ -109,7 +109,7 @@ template<class Real, bool periodic, bool vectors, bool more> void forcesOf(const
                       v{x.x + back.x, x.y + back.y, x.z + back.z};
         const Vec3<T> ours = apply<Real>(i.flux, ref),
                       theirs{times3<Real>(j0, back), times3<Real>(j1, back), times3<Real>(j2, back)};
-        // (term of i) - (term of j): the other end computes the exact negative.
+        // The term of i minus the term of j. The other end computes the exact negative.
         t = {fma(i.k, u.x, ours.x) - fma(-k, v.x, theirs.x), fma(i.k, u.y, ours.y) - fma(-k, v.y, theirs.y),
              fma(i.k, u.z, ours.z) - fma(-k, v.z, theirs.z)};
       } else {
@@ -140,7 +140,7 @@ template<class Real, bool periodic, bool vectors, bool more> void forcesOf(const
     for (int l = 0; l < n; l++)
       a.force[s0 + static_cast<std::size_t>(l)] = {scale * out[0][l], scale * out[1][l], scale * out[2][l]};
     if (damping)
-      // Half of each bond's loss at each end.
+      // Each end records half of the bond's loss.
       for (int l = 0; l < n; l++)
         a.dissipated[s0 + static_cast<std::size_t>(l)] += 0.5 * scale * out[3][l] * a.dt;
     if (energy)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The two bond loops, one set per instruction set (elastic_isa.cpp); every set gives the same bits. Only
-// plain pointers here: code compiled for one instruction set must not emit copies of library functions for
-// the linker.
+// The two bond loops, with one set per instruction set (elastic_isa.cpp). All sets give the same bits. Arrays
+// are plain pointers, since code compiled for one instruction set must not emit copies of library functions
+// for the linker.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace thaw {
 struct ElasticWork;
 struct Solids;
 
-/// Input and output of the loops. Real: float or double by `precision`. Bond arrays are interleaved by 8
+/// Input and output of the loops. Real is float or double, by `precision`. Bond arrays are interleaved by 8
 /// solids as in Bonds.
 struct ElasticArrays {
   Precision precision = Precision::Single;
@@ -25,7 +25,7 @@ struct ElasticArrays {
   std::size_t groupCount = 0;
   const std::uint16_t* bondCount = nullptr;
   const std::uint8_t* singularLanes = nullptr;
-  const std::uint8_t* ownFrames = nullptr;  ///< by group, see ElasticWork::ownFrames
+  const std::uint8_t* ownFrames = nullptr;  ///< by group, as ElasticWork::ownFrames
   const std::uint32_t* neighbour = nullptr;
   /// Arrays of Real; null unless `vectors`.
   const void *x = nullptr, *y = nullptr, *z = nullptr, *rx = nullptr, *ry = nullptr, *rz = nullptr,
@@ -38,7 +38,7 @@ struct ElasticArrays {
   double dt = 0;
   double breakStretch2 = 0;  ///< square of the stretch above which `stretched` is set; 0: no fracture
   std::uint8_t* stretched = nullptr;
-  bool keepDissipated = false;  ///< add to dissipated
+  bool keepDissipated = false;  ///< true: add to `dissipated` instead of overwriting it
   bool flow = true;             ///< plastic strain may change
   // By solid.
   const Sym3d* momentInverse = nullptr;
@@ -56,28 +56,29 @@ struct ElasticArrays {
   const Solids* solids = nullptr;
   const std::uint8_t* plasticFixed = nullptr;  ///< plastic strain is fixed; null: nowhere
   double* groupStretch2 = nullptr;             ///< by group, as maxStretch2; null: not needed
-  const std::uint8_t* passive = nullptr;  ///< 1: energy and deformation stay, and flux is 0; null: nowhere
+  const std::uint8_t* passive = nullptr;  ///< 1: energy and deformation do not change, and flux is 0; null:
+                                          ///< nowhere
   // Results.
   std::int64_t inverted = 0, softenedParticles = 0;
   double maxStretch2 = 1;
 };
 
-/// Lane-dependent constants of a group. Data of the material is reused from group to group.
+/// Constants of the lanes of a group. Data of the material is reused for the next group.
 struct alignas(64) LaneConstants {
   // hourglass: k, N/m; drag: kg/s.
   double lambda[8], mu[8], volumeStiffness[8], volume[8], hourglass[8], drag[8];
   double active[8];  // 0: no solid, or a passive one
   ElasticConstants constants[8];
   bool anyVolumeStiffness, anyHourglassYield;
-  int laws;                // different laws in the group
-  const BoundLaw* law[8];  // the first `laws`, in the order of lanes
-  unsigned lanesOf[8];     // lanes of each law, a bit each
-  int material = -1;       // common material of all lanes if fully solid; else -1
+  int laws;                // number of distinct laws in the group
+  const BoundLaw* law[8];  // the first `laws` entries are valid, in the order of lanes
+  unsigned lanesOf[8];     // bit mask of the lanes of each law
+  int material = -1;       // common material of all lanes if all are fully solid; else -1
 };
 
-// Out of line, in elastic.cpp.
+// These functions are out of line, in elastic.cpp.
 void loadLaneConstants(const ElasticArrays& a, std::size_t solid0, int n, LaneConstants& out);
-/// completeGradient in place; gradU by [row][column][lane].
+/// Applies completeGradient to one lane in place; gradU by [row][column][lane].
 void completeLane(const ElasticArrays& a, std::size_t solidIndex, int lane, double gradU[9][8]);
 /// Adds stressOfNormal of one flat lane to its flux (V P A^-1 - k grad u).
 struct FlatLane {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loads of the bond loops: conversions, position differences, both ends of eight bonds. Only code for one
-// instruction set includes this.
+// Loads for the bond loops: conversions, position differences, and both ends of eight bonds. Only code that
+// is compiled per instruction set includes this.
 #pragma once
 #include "core/simd/wide.hpp"
 #include "core/solid/elasticity/elastic_kernels.hpp"
@@ -20,7 +20,8 @@ template<class Real> THAW_INLINE Lanes<Real> fromDoubles(const double* p) {
   return r;
 }
 
-/// Position differences in units of ElasticArrays::unit: exact before a single rounding, and antisymmetric.
+/// Position differences in units of ElasticArrays::unit. They are exact except for one final rounding, and
+/// antisymmetric.
 template<class Real, bool periodic> struct Places;
 template<bool periodic> struct Places<float, periodic> {
   std::int32_t period[3];
@@ -31,7 +32,7 @@ template<bool periodic> struct Places<float, periodic> {
   }
   static THAW_INLINE Vec8i absolute(Vec8i d) { return d < 0 ? -d : d; }
   THAW_INLINE LanesF one(LanesF from, LanesF to, int axis) const {
-    // Wraps around by design.
+    // The subtraction wraps around by design.
     const Vec8u u = reinterpret_cast<Vec8u>(to.v) - reinterpret_cast<Vec8u>(from.v);
     Vec8i d = reinterpret_cast<Vec8i>(u);
     if constexpr (periodic) {
@@ -84,7 +85,7 @@ template<class Real> THAW_INLINE Lanes<Real> square(const Vec3<Lanes<Real>>& v) 
   return dot3(v.x, v.y, v.z, v.x, v.y, v.z);
 }
 
-/// BondEnd of eight rows as four records of four values. Unused values are not loaded.
+/// BondEnd data of eight rows as four records of four values. Unused values are not loaded.
 template<class Real> struct EightEnds {
   using T = Lanes<Real>;
   Lanes4<Real> first, second;
@@ -107,7 +108,7 @@ THAW_INLINE EightFluxes<Real> loadFluxes(const EightEnds<Real>& ends, const Reco
       ends.second.c,
       {{{ends.second.d, third.a, third.b}, {third.c, third.d, fourth.a}, {fourth.b, fourth.c, fourth.d}}}};
 }
-/// Stores fluxes into the rows of n solids starting at the first; positions stay.
+/// Stores fluxes into the rows of n solids starting at the first. Positions do not change.
 template<class Real>
 THAW_INLINE void storeFluxes(const EightEnds<Real>& ends, const EightFluxes<Real>& f, int n,
                              Record<Real>* to) {
@@ -127,7 +128,8 @@ template<class Real> struct EightBonds {
 
 /// Loads the bonds of a group's solids. vectors: references and weights are stored per bond, in m. Otherwise
 /// references are differences of the ends' references in units of ElasticArrays::unit, and the weight is (1 -
-/// X^2/h^2)^3. An unused entry, whose end is the solid itself, then has zeros except for the weight.
+/// X^2/h^2)^3. The end of an unused entry is the solid itself, so all its values except the weight are then
+/// zero.
 template<class Real, bool periodic, bool vectors> struct BondLoader {
   using T = Lanes<Real>;
   const ElasticArrays& a;
@@ -135,8 +137,8 @@ template<class Real, bool periodic, bool vectors> struct BondLoader {
   Places<Real, periodic> difference;
   T unit, perSupport2;
   EightEnds<Real> own;
-  std::size_t ahead;  ///< prefetch distance: the same bond index in the next group, since entries past a
-                      ///< group's longest row are never read
+  std::size_t ahead;  ///< prefetch distance, which leads to the same bond index in the next group, since
+                      ///< entries past a group's longest row are never read
   explicit BondLoader(const ElasticArrays& a)
       : a(a),
         records(static_cast<const Record<Real>*>(a.end)),
@@ -157,8 +159,8 @@ template<class Real, bool periodic, bool vectors> struct BondLoader {
       Vec3<T> x = difference(own.displacement(), b.ends.displacement());
       if constexpr (sizeof(Real) == 4) x = {x.x * unit, x.y * unit, x.z * unit};
       b.reference = loadVector<Real>(a.x, a.y, a.z, at);
-      b.current = x;  // not X + u, which is rounded for large stretches; with X_ji = -X_ij both ends have the
-                      // same u bit by bit
+      b.current = x;  // X + u would be rounded for large stretches; with X_ji = -X_ij both ends have the same
+                      // u bit by bit
       b.u = {x.x - b.reference.x, x.y - b.reference.y, x.z - b.reference.z};
       b.weight = loadRow(static_cast<const Real*>(a.weight) + at);
     } else {

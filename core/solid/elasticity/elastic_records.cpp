@@ -7,7 +7,8 @@ namespace thaw {
 
 namespace {
 
-// Nearest integer modulo 2^32 for |x| < 2^51: the low bits of the mantissa after adding 1.5 * 2^52.
+// Returns the nearest integer modulo 2^32 for |x| < 2^51. It is in the low bits of the mantissa after the
+// addition of 1.5 * 2^52.
 std::uint32_t fixedPoint(double x) {
   return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(x + fixedPointMagic));
 }
@@ -72,9 +73,9 @@ void packPlacesIn(const ElasticWork& work, Solids& solids, std::size_t first, st
 
 }  // namespace
 
-/// Displacements use the nearest image of the position. A rotating body across a periodic side has particles
-/// that crossed it in both directions. Thus x - X of neighbours may differ by two periods, of which Places
-/// removes one. Without references (vectors) positions are packed, which differ by one period at most.
+/// Displacements use the nearest image of the position. In a rotating body across a periodic side, particles
+/// cross the side in both directions. Thus x - X of neighbours may differ by two periods, of which Places
+/// removes only one. If bonds have vectors, positions are packed instead, which differ by at most one period.
 void packPositions(const ElasticWork& work, Solids& solids, std::size_t first, std::size_t last) {
   if (work.periodic && solids.reference.active) packPlacesIn<true>(work, solids, first, last);
   else packPlacesIn<false>(work, solids, first, last);

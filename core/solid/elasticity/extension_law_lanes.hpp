@@ -5,8 +5,8 @@
 // A Law has
 //   template<class T> static Mat3<T> stress(const LawPoint<T>&);  // Pa, first Piola stress
 //   template<class T> static T energy(const LawPoint<T>&);        // Pa, energy density
-// where T is LanesD; with T = double both can be tested by themselves. It may have the further parts of
-// core/solid/laws/law_point.hpp. With doubleStress = false or doubleEnergy = false, T is LanesF where bonds
+// where T is LanesD. With T = double, both functions can be tested separately. A Law may have the other parts
+// in core/solid/laws/law_point.hpp. With doubleStress = false or doubleEnergy = false, T is LanesF if bonds
 // are in single precision.
 #pragma once
 #include "core/solid/elasticity/deformation_lanes.hpp"
@@ -26,12 +26,12 @@ template<class Law, class Real> THAW_INLINE void respondLanesIn(const LawGroup& 
                            stress, g.energy);
   storeMatrix<Real>(stress, g.stress);
 }
-/// Stress and energy of a group, with the bits of the bond loop.
+/// Computes stress and energy of a group, with the same bits as the bond loop.
 template<class Law> __attribute__((flatten)) void respondLanes(const LawGroup& g) {
   g.single ? respondLanesIn<Law, float>(g) : respondLanesIn<Law, double>(g);
 }
 
-/// The list of the one law that the loop inlines. Other laws are called.
+/// A list of one law, which the loop inlines. Other laws are called.
 template<class Law> struct OneLaw {
   template<class F> static THAW_INLINE bool at(const ElasticLaw& law, F&& f) {
     return law.kernels.lanes == respondLanes<Law> ? (f.template operator()<Law>(), true) : false;

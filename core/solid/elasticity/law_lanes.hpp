@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stress and energy of eight solids by laws that are inlined into the bond loops, and by calls of others.
-// Only code for one instruction set includes this.
+// Stress and energy of eight solids, by laws that are inlined into the bond loops and by calls of other laws.
+// Only code that is compiled per instruction set includes this.
 // `Laws` has
 //   template<class F> static bool at(const ElasticLaw&, F&& f);
 // which calls f.template operator()<Law>() of a law that is inlined, and returns false for others.
@@ -54,7 +54,7 @@ template<class Real> struct GroupDeformation {
 };
 
 /// Sets stress (Pa, first Piola) and, if wanted, energy density (Pa) of all lanes by one law.
-/// Returns the lanes that have softened, as LawDefaults says.
+/// Returns the lanes that have softened (LawDefaults).
 template<class Law, class Real>
 THAW_INLINE unsigned respondInline(const GroupDeformation<Real>& g, const LawValues& values,
                                    Mat3<Lanes<Real>>& stress, double energy[8]) {
@@ -75,7 +75,7 @@ THAW_INLINE unsigned respondInline(const GroupDeformation<Real>& g, const LawVal
   else return 0;
 }
 
-/// The same by a law that may be inlined.
+/// The same with a law that may be inlined.
 template<class Laws, class Real>
 THAW_INLINE unsigned respondBy(const BoundLaw& law, const GroupDeformation<Real>& g,
                                Mat3<Lanes<Real>>& stress, double energy[8]) {
@@ -92,8 +92,8 @@ THAW_INLINE unsigned respondBy(const BoundLaw& law, const GroupDeformation<Real>
   return 0;
 }
 
-/// The same for a group of several laws. It is a separate function: few groups have several, and the loop
-/// over groups stays short.
+/// The same for a group of several laws. Such groups are rare, so a separate function keeps the loop over
+/// groups short.
 template<class Laws, class Real>
 __attribute__((noinline, flatten)) unsigned respondMixed(const LaneConstants& c,
                                                          const GroupDeformation<Real>& g,
@@ -121,7 +121,7 @@ template<class Laws, class Real>
 THAW_INLINE unsigned respond(const LaneConstants& c, const GroupDeformation<Real>& g,
                              Mat3<Lanes<Real>>& stress, double energy[8]) {
   if (c.laws == 1) return respondBy<Laws>(*c.law[0], g, stress, energy);
-  // Copies: data that a called function can access cannot be in registers.
+  // These are copies, since data that a called function can access cannot stay in registers.
   const Mat3<Lanes<Real>> gradient = g.gradient, f = g.f;
   Mat3<Lanes<Real>> mixed{};
   const unsigned softened = respondMixed<Laws, Real>(c, {c.lambda, c.mu, gradient, f, g.computeEnergy}, mixed,

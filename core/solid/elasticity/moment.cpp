@@ -31,7 +31,7 @@ Mat3d smallestRotation(const Vec3d& a, const Vec3d& b) {
   const double c = dot(a, b);
   const Mat3d k{{{0, -v.z, v.y}, {v.z, 0, -v.x}, {-v.y, v.x, 0}}};
   if (c > -0.999999) return identity3<double>() + k + (1 / (1 + c)) * (k * k);
-  // Half a turn about any axis perpendicular to a.
+  // For b = -a, half a turn about any axis perpendicular to a.
   const Vec3d across = normalized(cross(a, std::abs(a.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0}));
   return 2.0 * outer(across, across) - identity3<double>();
 }
@@ -65,7 +65,7 @@ MomentInverse invertMoment(const Sym3d& a, double cutoff) {
 Mat3d completeGradient(const Mat3d& gradU, const Sym3d& momentInverse, int rank) {
   if (rank >= 3) return gradU;
   if (rank <= 0) return Mat3d{};
-  const Eigen3 e = eigenOf(momentInverse);  // the missing directions have eigenvalue 0 and come first
+  const Eigen3 e = eigenOf(momentInverse);  // the missing directions come first, with the eigenvalue 0
   if (rank == 2) {
     const Vec3d n = e.vector[0];
     const Vec3d image = cross(e.vector[1] + gradU * e.vector[1], e.vector[2] + gradU * e.vector[2]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Updates the data that follow from the reference vectors of bonds, by group of solids.
+// Updates the data that is computed from the reference vectors of bonds, by group of solids.
 #include <algorithm>
 
 #include "core/solid/bonds/bond_entries.hpp"
@@ -41,7 +41,7 @@ void padLastGroup(ElasticWork& work, const Solids& solids, Bonds& bonds) {
   }
 }
 
-/// Returns true if some bond of the group has two references. Unused entries have none.
+/// Returns true if a bond of the group has two references. Unused entries have none.
 bool haveOwnFrames(const Bonds& b, std::size_t begin, std::size_t end) {
   if (!b.twoFrames) return false;
   bool own = false;
@@ -54,7 +54,8 @@ bool haveOwnFrames(const Bonds& b, std::size_t begin, std::size_t end) {
   return own;
 }
 
-/// Updates the group's number of bond entries, and whether some bond has a remote end or two references.
+/// Updates the group's number of bond entries, and its flags for remote ends and for bonds with two
+/// references.
 void updateGroup(ElasticWork& work, const Solids& solids, const Bonds& bonds, std::size_t g) {
   std::size_t last = 0;
   bool remote = false;
@@ -101,8 +102,8 @@ std::int64_t refreshReference(ElasticWork& work, Solids& solids, Bonds& bonds, b
     updateGroup(work, solids, bonds, g);
   }
   sortGroups(work);
-  packReferences(work, solids, solids.owned, solids.size());  // all remote rows, since it is unknown which
-                                                              // are new
+  packReferences(work, solids, solids.owned, solids.size());  // packs all remote rows, since it is unknown
+                                                              // which are new
   return countSingular(work, solids);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each lane is a solid and sums its bonds in order, by the same operations as refreshSolid, without fused
-// ones. An unused entry adds zeros: its end is the solid itself, and its weight is set to 0.
+// Each lane is a solid and sums its bonds in order. The operations are those of refreshSolid, without fused
+// multiply-adds. An unused entry adds zeros: its end is the solid itself, and its weight is set to 0.
 #include "core/simd/lanes.hpp"
 #include "core/solid/elasticity/reference_kernels.hpp"
 

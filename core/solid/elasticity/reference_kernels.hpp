@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Moments of eight solids at once, one set of functions per instruction set (reference_isa.cpp); every set
-// gives the bits of refreshSolid. At the start of a scene all solids need them. Only plain pointers here, as
-// in elastic_kernels.hpp.
+// Moments of eight solids at once, with one set of functions per instruction set (reference_isa.cpp). All
+// sets give the same bits as refreshSolid. At the start of a scene, all solids need their moments. Arrays are
+// plain pointers, for the reason given in elastic_kernels.hpp.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -29,7 +29,7 @@ struct alignas(64) GroupMoments {
 };
 
 struct ReferenceKernels {
-  const char* name;  ///< see ElasticKernels
+  const char* name;  ///< as ElasticKernels::name
   void (*moments)(const ReferenceArrays&, std::size_t group, GroupMoments&);
   /// Requires: `moments` of the same group was called before.
   void (*levers)(const ReferenceArrays&, std::size_t group, GroupMoments&);

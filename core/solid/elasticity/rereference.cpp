@@ -12,8 +12,8 @@ namespace thaw {
 
 namespace {
 
-/// Returns true if F is far enough from singular to be inverted. |F^-1|^2 is 3 at rest; 6 is half the length
-/// along one axis, or 0.71 along all.
+/// Returns true if F is far enough from singular to be inverted. |F^-1|^2 is 3 at rest. It is 6 if the length
+/// along one axis is halved, or the length along all axes is 0.71.
 bool canFollow(const Mat3d& f) {
   const double j = determinant(f);
   const Mat3d c = cofactor(f);

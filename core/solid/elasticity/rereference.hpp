@@ -1,30 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
-// Absorbs large plastic flow into the reference configuration (MKN04 3.5), by push-forward so that the stress
-// rotates with the body (docs/validation/stability.md, row 13).
+// Absorbs large plastic flow into the reference configuration (MKN04 3.5). It uses a push-forward, so that
+// the stress rotates with the body (docs/validation/stability.md, row 13).
 #pragma once
 #include "core/solid/elasticity/elastic.hpp"
 
 namespace thaw {
 
-/// Takes the current configuration as reference for solids whose plastic strain since the last reference
+/// Makes the current configuration the reference of solids whose plastic strain since the last reference
 /// exceeds Numerics::plasticRereference: X_ij <- x_ij, Fp^-1 <- Ve of Fe = Ve R. F becomes the identity.
-/// Stress, elastic energy and weights stay; the hourglass energy vanishes. Solids that are inverted or nearly
-/// flat (|F^-1|^2 > 6), or whose bonds would no longer span space, are postponed. Neighbours renew their
-/// copies of the vectors (Bonds::rx) here, and for remote solids in phase 2 (Boundary), by the exchanged
-/// column Solids::rereferenced. Requires: called after phase 1 of both parts and breakBonds. The jump of
-/// elastic energy is added to phaseJump (J). Returns the number of solids.
+/// Stress, elastic energy and weights do not change; the hourglass energy vanishes. The update is postponed
+/// for solids that are inverted or nearly flat (|F^-1|^2 > 6), or whose bonds would no longer span space. The
+/// vectors' copies at neighbours (Bonds::rx) are updated here. For remote solids they are updated in phase 2
+/// (Boundary), by the exchanged column Solids::rereferenced. Requires: called after phase 1 of both parts and
+/// breakBonds. The jump of elastic energy is added to phaseJump (J). Returns the number of solids with a new
+/// reference.
 std::int64_t rereference(ElasticWork& work, Solids& solids, Bonds& bonds, const ElasticStep& step,
                          ExactSum& phaseJump);
 
-/// Renews, in the bonds of these groups, the copied vectors of neighbours in this range that took a new
-/// reference.
+/// Range of neighbours. In the bonds of the given groups, the copied vectors of neighbours in this range that
+/// took a new reference are updated.
 struct SolidRows {
   std::size_t begin, end;
 };
 void copyReferences(ElasticWork& work, const Solids& solids, Bonds& bonds,
                     std::span<const std::uint32_t> groups, SolidRows flagged);
 
-/// Renews the copied vectors of remote solids that took a new reference; part of phase 2.
+/// Updates the copied vectors of remote solids that took a new reference. It is part of phase 2.
 void copyRemoteReferences(ElasticWork& work, const Solids& solids, Bonds& bonds);
 
 }  // namespace thaw

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fields that the solids of a scene need, and transfer between particles and solids.
+// Activation of the fields that the solids of a scene need, and transfer between particles and solids.
 #include <algorithm>
 
 #include "core/contact/solid_contact.hpp"
@@ -49,13 +49,12 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
     hardens = hardens || (modules.plastic && m.hardening > 0);
   }
   work.lawLoops = lawLoopsOf(work);
-  // If references are ever renewed, each bond has its own. Otherwise all bonds share the initial
-  // configuration.
+  // If references may change, each bond stores its own. Otherwise all bonds share the initial configuration.
   const bool vectors = modules.freezing || modules.welding || rereferences;
   bonds.choose(vectors, vectors, work.precision == Precision::Single);
 
-  // Melting records the energy of softening particles in every step, and substeps end at positions of their
-  // own.
+  // Melting records the energy of softening particles in every step. Substeps evaluate energies at other
+  // positions than the step.
   work.energyInSteps = modules.melting || modules.substeps;
   if (modules.rigidify) work.energyInSteps = true;  // passive solids keep the energy of their last evaluation
   work.deformationInSteps = work.energyInSteps || vectors || modules.sleep;
@@ -84,7 +83,7 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
     solids.activate(solids.liquid);
     solids.activate(solids.melted);
   }
-  if (modules.rigidify) solids.activate(solids.velocity);  // for rates of strain
+  if (modules.rigidify) solids.activate(solids.velocity);  // for strain rates
   for (AnyColumn* c : columnsOfSteps(solids, work)) solids.activate(*c);
 }
 

@@ -13,8 +13,8 @@ namespace thaw {
 
 namespace {
 
-/// Reference X_ij (m) and weight of bond k of a solid, for both storage forms (Bonds::vectors). Inlined in
-/// loops over solids, where it takes most of the time.
+/// Reference X_ij (m) and weight of bond k of a solid, for both storage forms (Bonds::vectors). It is inlined
+/// in loops over solids, since it takes most of their time.
 inline ReferenceBond lookAtReference(const ElasticWork& work, const Solids& solids, const Bonds& bonds,
                                      std::size_t solidIndex, int k) {
   const std::size_t b = bonds.at(solidIndex, k);
@@ -36,7 +36,7 @@ BondVectors bondVectors(const ElasticWork& work, const Solids& solids, const Bon
 
 namespace {
 
-/// Gathers a solid's bonds in order, so that each is looked up once for several sums.
+/// Gathers a solid's bonds in order, so that several sums look up each bond only once.
 template<class Bond, class Look>
 std::span<const Bond> gatherBonds(const Bonds& bonds, std::size_t solidIndex, Look&& look) {
   thread_local std::vector<Bond> there;
@@ -207,7 +207,7 @@ DriftEnergy driftEnergy(const ElasticWork& work, Solids& solids, const Bonds& bo
 
 SolidStrain solidStrainAtReference(const ElasticWork& work, const Solids& solids, const Bonds& bonds,
                                    std::size_t solidIndex) {
-  // The completion of the gradient rounds.
+  // The completed gradient has rounding errors, so it is computed from the bonds.
   if (work.rank[solidIndex] < 3) return solidStrain(work, solids, bonds, solidIndex);
   return strainWith(work, solids, solidIndex, Mat3d{} * full(solids.momentInverse[solidIndex]), 0);
 }

@@ -18,7 +18,7 @@ double plasticStretch(const Mat3d& plasticInverse) {
   return std::sqrt(std::max(1.0, 1 + 2 * (mean + std::sqrt(2.0 / 3 * std::max(0.0, square)))));
 }
 
-/// Largest tangent modulus up to a squared stretch, over that at rest.
+/// Largest tangent modulus up to a squared stretch, relative to the modulus at rest.
 double stiffeningOf(const ElasticConstants& c, double maxStretch2) {
   const ElasticLaw& law = *c.law->law;
   return law.stiffening ? std::max(1.0, law.stiffening(maxStretch2, c.law->values)) : 1;

@@ -14,7 +14,7 @@ Mat3d rotationBySvd(const Mat3d& f) {
     for (int c = 0; c < 3; c++) m(r, c) = f.row[r][c];
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Eigen::Matrix3d u = svd.matrixU();
-  // Singular values are in descending order: the last one takes the sign.
+  // Singular values are in descending order, so the smallest one gets the negative sign.
   if (u.determinant() * svd.matrixV().determinant() < 0) u.col(2) = -u.col(2);
   const Eigen::Matrix3d r = u * svd.matrixV().transpose();
   Mat3d out;

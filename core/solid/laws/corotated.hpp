@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Corotated linear elasticity: mu |F - R|^2 + lambda/2 tr(R^T F - 1)^2 with the rotation R nearest to F
-// (MG04; invertible form: ITF04). It is linear in stretch, so it neither
-// softens in compression nor stays inverted: R is a proper rotation also for det F < 0.
+// (MG04; invertible form: ITF04). The stress is linear in stretch, so it does not soften in compression.
+// Particles do not stay inverted, since R is a proper rotation even for det F < 0.
 #pragma once
 #include "core/solid/laws/neo_hookean.hpp"
 
@@ -17,18 +17,18 @@ template<class T> Mat3<T> towardsRotation(const Mat3<T>& r) {
   const Mat3<T> c = cofactor(r);
   return T(0.5) * (r + (T(1.0) / dot(r.row[0], c.row[0])) * c);
 }
-/// The iteration reaches the wanted rotation where det F exceeds this fraction of (|F|^2 / 3)^(3/2), its
+/// The iteration converges to the nearest rotation if det F exceeds this fraction of (|F|^2 / 3)^(3/2), its
 /// value for a scaled rotation.
 inline constexpr double newtonsShare = 0.05;
 inline constexpr int newtonsSteps = 20;
-/// Square of the last change at which the iterate is exact up to rounding: the next change would be its
-/// square.
+/// Squared change below which the iterate is exact up to rounding, since the next change would be the
+/// square of this one.
 inline constexpr double newtonsEnd = 1e-16;
 
 /// Returns the rotation R (det R = +1) that maximises tr(R^T F), from the polar decomposition. If det F < 0,
 /// the smallest singular value counts as negative. Any F is valid, zero included.
 Mat3d nearestRotation(const Mat3d& f);
-/// The same for one lane; by [row][column][lane].
+/// The same for one lane. Arrays are by [row][column][lane].
 void nearestRotationOfLane(const double f[9][8], int lane, double rotation[9][8]);
 
 /// psi (Pa) and first Piola stress P = 2 mu (F - R) + lambda tr(R^T F - 1) R (Pa) for a given R.

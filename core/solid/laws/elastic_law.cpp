@@ -17,7 +17,7 @@ struct KnownLaw {
   std::vector<std::string> keys;
   std::vector<double> standard{};  // defaults of the keys of a law of the library
   std::map<LawValues, BoundLaw> bound{};
-  std::mutex binding{};  // simulations may run in several threads
+  std::mutex binding{};  // needed since simulations may run in several threads
 };
 
 void enter(std::map<std::string, KnownLaw>& all, const std::string& name, ElasticLaw law,

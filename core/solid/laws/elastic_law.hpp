@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elastic laws by name: those of the library (core/solid/laws/laws.hpp) and those of extensions
-// (core/terms/extensions.hpp), with stress, energy and stiffness.
+// Elastic laws by name, with stress, energy and stiffness. They belong to the library
+// (core/solid/laws/laws.hpp) or to extensions (core/terms/extensions.hpp).
 #pragma once
 #include <array>
 #include <functional>
@@ -20,7 +20,7 @@ struct Material;
 /// Input and output of a law for eight particles of one material, or of materials with equal values. Lanes
 /// without a particle have F = 1 and lambda = mu = 0.
 struct LawGroup {
-  const double (*gradient)[8];  ///< F - 1 by [row][column][lane]; with plastic flow its elastic part
+  const double (*gradient)[8];  ///< F - 1 by [row][column][lane]; with plastic flow, of the elastic part
   const double *lambda, *mu;    ///< Pa, Lame's constants by lane, at the particle's liquid fraction
   const LawValues& values;
   double (*stress)[8];  ///< Pa, out: first Piola stress by [row][column][lane]
@@ -35,8 +35,8 @@ using LawLoop = void (*)(ElasticArrays&);
 /// (core/solid/elasticity/extension_law_lanes.hpp), for THAW_CHOOSE (core/simd/choose.hpp).
 struct LawKernels {
   void (*lanes)(const LawGroup&) = nullptr;
-  /// The loop with the law inlined, for groups of solids that all have it; null: that of the library, which
-  /// calls `lanes`.
+  /// The loop with the law inlined, for groups in which all solids have this law. Null: the loop of the
+  /// library, which calls `lanes`.
   LawLoop deformation = nullptr;
 };
 
@@ -46,30 +46,31 @@ struct LawResponse {
   Mat3d stress{};
 };
 
-/// An elastic law, psi(F) with P = dpsi/dF. At rest psi = 0 and P = 0, and small strains follow Hooke's law
-/// with lambda and mu, from which other limits are computed. Give `kernels`, or `response`, which is called
-/// for one particle at a time. Laws of the library are made from laws.hpp.
+/// An elastic law, psi(F) with P = dpsi/dF. At rest psi = 0 and P = 0. Small strains follow Hooke's law with
+/// lambda and mu, from which step limits are computed. Set either `kernels`, or `response`, which is called
+/// for one particle at a time. Laws of the library come from laws.hpp.
 struct ElasticLaw {
   LawKernels kernels = {};
   std::function<LawResponse(const Mat3d& gradU, double lambda, double mu, const LawValues&)> response = {};
-  /// Principal Kirchhoff stresses (Pa) for principal stretches, for plastic flow. None: from the stress of
-  /// the diagonal F.
+  /// Principal Kirchhoff stresses (Pa) for principal stretches, for plastic flow. Empty: computed from the
+  /// stress of the diagonal F.
   std::function<Vec3d(const Vec3d& stretch, double lambda, double mu, const LawValues&)> principal = {};
-  /// Largest tangent modulus over lambda + 2 mu where no squared stretch exceeds this one; at least 1. None:
-  /// 1, for laws that do not stiffen.
+  /// Largest tangent modulus, divided by lambda + 2 mu, for squared stretches up to the given one; at
+  /// least 1. Empty: 1, for laws that do not stiffen.
   std::function<double(double largestStretch2, const LawValues&)> stiffening = {};
-  bool resistsInversion = false;  ///< an inverted particle returns
+  bool resistsInversion = false;  ///< an inverted particle recovers
   bool boundsStress = false;      ///< as LawDefaults::boundsStress
-  int builtIn = -1;  ///< place in BuiltInLaws: the library's loop inlines it; -1: of an extension
+  int builtIn = -1;  ///< index in BuiltInLaws of a law that the library's loop inlines; -1: law of an
+                     ///< extension
 };
 
-/// A law with the values of a material, equal for equal values.
+/// A law with the values of a material. Equal values give the same object.
 struct BoundLaw {
   const ElasticLaw* law = nullptr;
   LawValues values{};
 };
 
-/// A law of the library as the registry of extensions lists it.
+/// A law of the library, as listed in the registry of extensions.
 struct BuiltInLaw {
   std::string name, about;
   std::vector<LawKey> keys;
@@ -81,17 +82,17 @@ const std::vector<BuiltInLaw>& builtInLaws();
 /// Makes a law known by its name. keys: names of its keys. Throws std::invalid_argument for a law without
 /// `kernels` and `response`, or with more than mostLawKeys keys.
 void addElasticLaw(const std::string& name, ElasticLaw law, std::vector<std::string> keys);
-/// Returns the law and the values of a material; it stays valid. Throws std::invalid_argument if there is no
-/// such law.
+/// Returns the law and the values of a material. The reference stays valid. Throws std::invalid_argument if
+/// there is no such law.
 const BoundLaw& boundLaw(const Material& material);
-/// The same by the law's name and values. Keys without a value have their default in laws of the library.
+/// The same for the law's name and values. In laws of the library, keys without a value get their default.
 const BoundLaw& boundLaw(const ExtensionSettings& settings);
 
 /// Response for F = 1 + gradU.
 LawResponse responseOf(const BoundLaw& bound, const Mat3d& gradU, double lambda, double mu);
 /// Principal Kirchhoff stresses (Pa), P F^T of a diagonal F.
 Vec3d principalOf(const BoundLaw& bound, const Vec3d& stretch, double lambda, double mu);
-/// Takes natural logarithms in place.
+/// Replaces values by their natural logarithms.
 void takeLogarithmsOfLanes(double values[8]);
 /// Sets the stress and energy of all lanes of the group.
 void respondGroup(const ElasticLaw& law, const LawGroup& group);

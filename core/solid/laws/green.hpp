@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Green strain with Hooke's law (St. Venant-Kirchhoff; MKN04, K05). It is exact under rotation, and softens
-// in compression below 0.577 of the length. Only the volume force resists inversion
+// when compressed to less than 0.577 of the length. Only the volume force resists inversion
 // (docs/validation/stability.md, rows 4 and 5).
 #pragma once
 #include "core/solid/laws/law_point.hpp"
@@ -39,7 +39,8 @@ template<class T> Mat3<T> greenStress(const Mat3<T>& f, const Sym3<T>& strain, c
   return times(f, hooke(strain, lambda, mu));
 }
 /// Returns the lanes where some principal stretch is below sqrt(1/3), as bits. 3 E + 1 = 3/2 C - 1/2 then has
-/// an eigenvalue < 0, which its leading minors detect. The test is skipped where |E| < 1/3 rules that out.
+/// an eigenvalue < 0, which its leading minors detect. The test is skipped if |E| < 1/3, which excludes such
+/// eigenvalues.
 template<class T> [[gnu::always_inline]] inline unsigned greenSoftened(const Sym3<T>& e) {
   const T square = e.xx * e.xx + e.yy * e.yy + e.zz * e.zz + T(2) * (e.xy * e.xy + e.yz * e.yz + e.xz * e.xz);
   if (!any(T(1.0 / 9) < square)) return 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Input of an elastic law, and the parts that a law of the library may leave out. T is double, or lanes of
-// float or double. Only plain data: code for one instruction set includes this.
+// Input of an elastic law, and defaults for optional parts of a law of the library. T is double, or lanes of
+// float or double. This file has only plain data, since code that is compiled per instruction set includes
+// it.
 #pragma once
 #include <array>
 #include <cmath>
@@ -21,7 +22,7 @@ struct LawKey {
   const char* about;
 };
 
-/// A deformation gradient, with plastic flow its elastic part, and the constants of the material.
+/// A deformation gradient F (its elastic part with plastic flow), and the constants of the material.
 template<class T> struct LawPoint {
   Mat3<T> f;
   T lambda, mu;  ///< Pa, Lame's constants
@@ -32,8 +33,8 @@ template<class T> struct LawPoint {
 /// Natural logarithm. For lanes: core/solid/elasticity/law_lanes.hpp.
 inline double logarithm(double a) { return std::log(a); }
 
-/// Base of the laws of the library (laws.hpp), and of those laws of extensions that change a member. A law
-/// of the library has `name`, `about`, and
+/// Base of the laws of the library (laws.hpp). Laws of extensions also derive from it if they change a
+/// member. A law of the library has `name`, `about`, and
 ///   template<class T> static Mat3<T> stress(const LawPoint<T>&);  // Pa, first Piola stress
 ///   template<class T> static T energy(const LawPoint<T>&);        // Pa, energy density
 /// and may have
@@ -41,15 +42,15 @@ inline double logarithm(double a) { return std::log(a); }
 ///   static Vec3d principal(const Vec3d& stretch, double lambda, double mu, const LawValues&);
 ///   static double stiffening(double largestStretch2, const LawValues&);
 ///   template<class T> static unsigned softened(const LawPoint<T>&, const Shared&);  // bits of lanes
-/// `principal` and `stiffening` are those of ElasticLaw. `softened` finds lanes that the counter
-/// Counters::softenedParticles reports.
+/// `principal` and `stiffening` are as in ElasticLaw. `softened` returns the lanes that
+/// Counters::softenedParticles counts.
 struct LawDefaults {
   static constexpr std::array<LawKey, 0> keys{};
-  /// Stress or energy needs double precision where bonds are in single precision.
+  /// true: stress or energy needs double precision even if bonds are in single precision.
   static constexpr bool doubleStress = true, doubleEnergy = true;
   static constexpr bool resistsInversion = false;  ///< an inverted particle returns
-  /// |dev sigma|/2G is at most |dev E| (1 + (8 + 4 lambda/mu) |E|) where |E| < 0.1, with Green's strain E.
-  /// Plastic flow then skips what is surely below the yield stress.
+  /// true: |dev sigma|/2G is at most |dev E| (1 + (8 + 4 lambda/mu) |E|) for |E| < 0.1, with Green's strain
+  /// E. Plastic flow then skips particles that are certainly below the yield stress.
   static constexpr bool boundsStress = false;
 };
 
@@ -65,7 +66,7 @@ template<class Law> constexpr bool energyInDouble() {
 }
 
 struct NoSharedTerms {};
-/// Returns what stress and energy of a law share.
+/// Returns the data that stress and energy of a law share.
 template<class Law, class T> [[gnu::always_inline]] inline auto sharedOf(const LawPoint<T>& at) {
   if constexpr (requires { Law::shared(at); }) return Law::shared(at);
   else return NoSharedTerms{};

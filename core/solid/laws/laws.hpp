@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of elastic laws of the library. Its rows are compiled into the bond loops
-// (core/solid/elasticity/elastic_isa.cpp) and entered into the registry of extensions
-// (core/terms/extensions.hpp), from which scenes, documents, checks and restarts have them.
+// (core/solid/elasticity/elastic_isa.cpp). They are also entered into the registry of extensions
+// (core/terms/extensions.hpp), which scenes, documents, checks and restarts use.
 // To add a law: docs/developer/extend.md.
 #pragma once
 #include "core/solid/laws/corotated.hpp"
@@ -12,12 +12,12 @@
 namespace thaw {
 
 template<class... Laws> struct LawList {
-  /// Calls f.template operator()<Law>() of the law at this place; returns false if there is none.
+  /// Calls f.template operator()<Law>() for the law at this index. Returns false if there is none.
   template<class F> [[gnu::always_inline]] static inline bool at(int place, F&& f) {
     int k = 0;
     return ((place == k++ ? (f.template operator()<Laws>(), true) : false) || ...);
   }
-  /// Calls it for each law in order.
+  /// Calls f.template operator()<Law>() for each law in order.
   template<class F> static void each(F&& f) { (f.template operator()<Laws>(), ...); }
 };
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stable Neo-Hookean energy: defined and smooth for every F, inverted ones included
-// (SGK18 eq. 14).
+// Stable Neo-Hookean energy (SGK18 eq. 14). It is defined and smooth for every F, even if inverted.
 #pragma once
 #include "core/solid/laws/law_point.hpp"
 

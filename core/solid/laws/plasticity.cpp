@@ -17,7 +17,7 @@ Sym3d deviator(Sym3d s) {
   return s;
 }
 
-/// Elastic states along which the deviator of the logarithmic strain scales by r: stretch_k = exp(mean + r
+/// Path of elastic states whose deviator of the logarithmic strain is scaled by r: stretch_k = exp(mean + r
 /// e_k).
 struct RadialPath {
   const ElasticConstants& c;
@@ -40,8 +40,8 @@ struct RadialPath {
   double excess(double r) const { return scale * length(stress(r)) - yield - (1 - r) * hardening(); }
 };
 
-/// Returns r in [0, high] with excess `target`. The excess is below it at r = 0 and equals `most` > target at
-/// r = high.
+/// Returns r in [0, high] at which the excess is `target`. Requires: the excess is below `target` at r = 0,
+/// and is `most` > target at r = high.
 double returnTo(const RadialPath& path, double target, double high, double most) {
   // Initial slope for linear growth of the stress.
   const double slope = (most + path.yield + (1 - high) * path.hardening()) / high + path.hardening();
@@ -59,8 +59,8 @@ double returnTo(const RadialPath& path, double target, double high, double most)
   return r;
 }
 
-/// Returns true if the stress is certainly below the yield stress, which saves the eigenvalues. The factor
-/// bounds |dev sigma|/2G over |dev E| for laws with boundsStress (test
+/// Returns true if the stress is certainly below the yield stress. This avoids the computation of
+/// eigenvalues. The factor bounds |dev sigma|/2G over |dev E| for laws with boundsStress (test
 /// Plasticity.SkippedGroupsAreBelowYield).
 bool surelyBelow(const ElasticConstants& c, const Sym3d& strain, double yield) {
   const double size = norm(strain);
@@ -124,8 +124,8 @@ PlasticFlow plasticFlow(const ElasticConstants& c, const Mat3d& gradU, const Pla
   const Mat3d back = full(withValues(axes, turn));
   flow.state.inverse = compose(before.inverse, back);
   flow.state.path = before.path + std::sqrt(2.0 / 3) * (1 - r) * path.size;
-  flow.elastic = elasticGradient(gradU, flow.state.inverse);  // same bits as an evaluation without flow
-                                                              // (repeatDeformation)
+  flow.elastic = elasticGradient(gradU, flow.state.inverse);  // gives the same bits as an evaluation without
+                                                              // flow (repeatDeformation)
   if (c.maxPlastic < never) limitPlasticStrain(c, gradU, before, referenceGradient, flow);
   return flow.flows ? flow : none;
 }

@@ -18,11 +18,11 @@ ElasticResponse elasticResponse(const ElasticConstants& c, const Mat3d& gradU, c
 /// As above without plastic flow: Fe from Fe - 1.
 ElasticResponse elasticResponse(const ElasticConstants& c, const Mat3d& gradU);
 
-/// Principal Kirchhoff stresses (Pa) for these principal elastic stretches, without the volume force, which
+/// Principal Kirchhoff stresses (Pa) for principal elastic stretches. The volume force is excluded, since it
 /// has no deviator.
 Vec3d principalKirchhoff(const ElasticConstants& c, const Vec3d& stretch);
 
-/// Cauchy stress P F^T / det F (Pa); zero if det F <= 0. With plastic flow it takes Fe and P_law(Fe).
+/// Cauchy stress P F^T / det F (Pa); zero if det F <= 0. With plastic flow, pass Fe and P_law(Fe).
 Sym3d cauchyStress(const Mat3d& piola, const Mat3d& gradU);
 
 }  // namespace thaw

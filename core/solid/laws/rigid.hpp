@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Solids that do not deform (core/rigid/): their pieces have neither elastic stress nor energy.
+// Solids that do not deform (core/rigid/). Their pieces have no elastic stress and no elastic energy.
 #pragma once
 #include "core/solid/laws/law_point.hpp"
 

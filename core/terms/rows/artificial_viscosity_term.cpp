@@ -24,7 +24,7 @@ std::vector<ModuleUse> usesOfArtificialViscosity(const Scene& s, const Modules& 
 }  // namespace
 
 Extension artificialViscosityTerm() {
-  // In scenes of one liquid the sum of pressures has it (core/fluid/terms/uniform_forces.hpp).
+  // In scenes of one liquid, the pressure sum includes it (core/fluid/terms/uniform_forces.hpp).
   const auto isOn = [](const Numerics&, const Modules& m) { return m.artificialViscosity && !m.uniform; };
   return {.name = "artificial viscosity",
           .about = "damping of approaching pairs, which keeps sound waves stable",

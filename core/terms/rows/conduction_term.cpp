@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conduction of heat, whose sum is part of that of pressures (core/fluid/terms/conduction.hpp), and contact
-// conductance (core/heat/contact_heat.hpp).
+// Conduction of heat and contact conductance (core/heat/contact_heat.hpp). The sum of conduction is part of
+// the pressure sum (core/fluid/terms/conduction.hpp).
 #include "core/terms/material_uses.hpp"
 #include "core/terms/rows/temperature_uses.hpp"
 #include "core/terms/terms.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lamps and lasers. They share the map of lit places.
+// Lamps and lasers. Both use the same map of lit positions.
 #include <memory>
 
 #include "core/heat/sources/heat_sources.hpp"
@@ -15,7 +15,7 @@ void readDirection(KeyTable& keys, Vec3d& direction, const char* about) {
     keys.fail("direction", "must not be zero: expected a direction");
 }
 
-/// Refuses keys that the lamp's kind does not have. Requires those that it needs.
+/// Rejects keys that the lamp's kind does not have, and missing keys that it needs.
 void checkLamp(KeyTable& keys, const Lamp& lamp) {
   const bool direction = lamp.kind == LampKind::Direction, area = lamp.kind == LampKind::Area;
   requireKey(keys, direction ? "irradiance" : "power");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Melting and freezing (core/solid/melting.hpp). find_modules.cpp finds the phases that a scene can have, and
-// with them whether a material melts.
+// Melting and freezing (core/solid/melting.hpp). find_modules.cpp determines which phases a scene can have,
+// and thus whether a material melts.
 #include "core/scene/phase_density.hpp"
 #include "core/terms/material_uses.hpp"
 #include "core/terms/terms.hpp"

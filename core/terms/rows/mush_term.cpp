@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drag of mushes (core/heat/mush.hpp), whose integration is exact, so that it does not limit the step.
+// Drag of mushes (core/heat/mush.hpp). Its integration is exact, so it does not limit the step.
 #include "core/terms/material_uses.hpp"
 #include "core/terms/terms.hpp"
 

@@ -17,7 +17,7 @@ template<class Source> void readTimes(KeyTable& keys, Source& s) {
   if (keys.reading() && s.end < s.start) keys.fail("end", "must not be before `start`", {"start"});
 }
 
-/// Adds the modules that a scene needs for sources with names: they heat bodies that it has.
+/// Adds the modules that a scene needs for its named heat sources, if it has bodies that these can heat.
 template<class Source>
 void addUses(const Scene& s, const std::vector<Source>& sources, const std::string& title,
              std::vector<ModuleUse>& uses) {

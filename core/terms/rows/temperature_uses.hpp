@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Heat of scenes in which differences of temperature matter.
+// Use of heat in scenes in which temperature differences matter.
 #pragma once
 #include <vector>
 
@@ -7,8 +7,8 @@
 
 namespace thaw {
 
-/// Returns a use of heat for each body and emitter whose temperature differs from others, or within it. For
-/// terms to which such differences matter.
+/// Returns a use of heat for each body and emitter whose temperature varies or differs from the others, for
+/// terms that depend on temperature differences.
 std::vector<ModuleUse> usesByTemperatures(const Scene& scene);
 
 }  // namespace thaw

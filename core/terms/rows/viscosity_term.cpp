@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Viscosity. Its sum is part of that of pressures (core/fluid/terms/), or the implicit solver
+// Viscosity. It is computed by the pressure sum (core/fluid/terms/), or by the implicit solver
 // (core/flow/implicit_viscosity/).
 #include "core/fluid/flow_laws/flow_law.hpp"
 #include "core/materials/liquid_materials.hpp"
