@@ -29,7 +29,7 @@ bool correctsConduction(const Scene& s, const Modules& m) {
 }
 
 double conductionFactor(const LatticeConduction& lattice, const ConductionSums& sums) {
-  constexpr double inside = 0.96;  // fraction of the lattice's trace above which the factor is 1; disorder
+  constexpr double inside = 0.96;  // fraction of the lattice's trace from which the factor is 1. Disorder
                                    // lowers the trace
   constexpr double most = 2;       // largest factor
   const Sym3d moment = wide(sums.moment);

@@ -12,9 +12,9 @@
 
 namespace thaw {
 
-/// Records of all rows and the dummy row behind them, float or double as those of the pair sums.
+/// Records of all rows and of the dummy row after them, in the precision of the pair sums (float or double).
 struct ContactHeatWork {
-  AlignedVector<std::byte> ends;   ///< body; 1 if liquid, else 0
+  AlignedVector<std::byte> ends;   ///< body index; 1 if liquid, else 0
   AlignedVector<std::byte> faces;  ///< Continuum::contactNormal; resistance of its material (m^2 K/W)
   double spacing = 1;              ///< m
 };
@@ -38,19 +38,20 @@ const ContactHeatKernels* contactHeatKernels(const char* name = "");
 
 /// Sets Continuum::contactNormal of the particles in the lists. Particles are in contact if their bodies
 /// differ and at most one of them is liquid.
-/// Requires: packed positions of all rows; `rows` rows are in front of the dummy row.
+/// Requires: packed positions of all rows. rows: number of rows before the dummy row.
 void findContactNormals(const PairSums& sums, std::size_t rows, Continuum& particles, ContactHeatWork& work);
 
 /// Packs the normals and resistances of rows [begin, end).
 void packContactFaces(const Scene& scene, const Continuum& particles, std::size_t begin, std::size_t end,
                       ContactHeatWork& work);
 
-/// Distances along the normal in spacings: pairs closer than `touching` are in contact, and pairs farther
-/// than `apart` exchange no heat. Particles that touch are a spacing apart; contacts start at 1.1.
+/// Distances along the normal, in spacings. Pairs closer than `touching` are in contact. Pairs farther than
+/// `apart` exchange no heat. Touching particles have a distance of one spacing; mechanical contact starts at
+/// 1.1.
 inline constexpr double touching = 1.2, apart = 1.5;
 
-/// Corrects heatFlow for the contacts of these groups, after the conduction sum. A pair has the larger of the
-/// two resistances. Both ends compute the same flow with opposite sign.
+/// Corrects heatFlow (W) for the contacts of these groups, after the conduction sum. A pair has the larger of
+/// its materials' contact resistances. Both particles compute the same flow with opposite sign.
 void addContactHeat(const PairSums& sums, const ContactHeatWork& work, GroupRange range);
 
 }  // namespace thaw

@@ -84,7 +84,7 @@ template<class Real, class Kernel> struct ContactHeat {
             dy = unitDifference(i.positionVolume.b, j.positionVolume.b),
             dz = unitDifference(i.positionVolume.c, j.positionVolume.c);
     const L r2 = dot3(dx, dy, dz, dx, dy, dz);
-    // The operations of the conduction sum, so that its flow is removed to the last bit.
+    // Repeats the operations of the conduction sum, so its flow cancels to the last bit.
     const L joined = conducted(i.positionVolume.d * j.positionVolume.d, i.pressurePhaseHeat,
                                j.pressurePhaseHeat, Kernel::laplace(L(unit) * sqrt(r2), L(unit * unit) * r2));
     const L ki = i.pressurePhaseHeat.d, kj = j.pressurePhaseHeat.d,

@@ -8,8 +8,8 @@
 namespace thaw {
 namespace {
 
-/// Share of an area that is not covered by another wall in the same direction as well. The faces of corners
-/// cover different areas.
+/// Returns the fraction of a wall's covered area that another wall does not cover as well. Walls at a corner
+/// cover different areas. aligned: alignment of the two normals.
 double uncoveredShare(double covered, double other, double aligned) {
   return 1 - std::max(0.0, aligned) * other * other / std::max(covered * covered + other * other, 1e-30);
 }

@@ -4,7 +4,7 @@
 
 namespace thaw {
 
-/// Subtracts from Continuum::exposedArea the area that walls cover.
+/// Subtracts the area that walls cover from Continuum::exposedArea.
 void coverAreas(const WallView& world, const WallContacts& contacts);
 
 }  // namespace thaw

@@ -20,8 +20,8 @@
 namespace thaw {
 namespace {
 
-// Fractions of the exposure of a flat surface. Disorder inside liquid gives up to 0.4, and less than 0.1 in
-// the mean over neighbours.
+// Fractions of the exposure of a flat surface. Inside a liquid, disorder gives up to 0.4, but less than 0.1
+// on average over neighbours.
 constexpr double leastExposure = 0.05, noise[2] = {0.4, 0.7}, meanNoise[2] = {0.06, 0.12};
 
 /// Free-surface indicator of the outermost particles of a flat lattice surface.
@@ -29,12 +29,12 @@ double flatLatticeIndicator(const Numerics& n) {
   return 2 / n.support * wallIntegrals(n, 0.5 / n.support).push;
 }
 
-/// Largest fraction of its absolute temperature that a particle loses in a step, where its rate of
-/// evaporation is not 0 at any temperature.
+/// Largest fraction of its absolute temperature that a particle may lose in a step. It matters for rates that
+/// are above 0 at all temperatures.
 constexpr double mostCooling = 0.1;
 
-/// Carried relative density below which evaporation lowers the density no further. Vapour leaves from the
-/// surface, where the pressure is that of the gas.
+/// Evaporation does not lower a carried relative density below this. Vapour leaves at the surface, where the
+/// pressure is that of the gas.
 constexpr double leastThinned = 0.99;
 
 double ramp(double x, const double (&between)[2]) {
@@ -68,7 +68,7 @@ template<class Select, class Row> void eachRow(const EvaporationView& v, Select&
     }
 }
 
-/// Walls near a particle, as planes that mirror the liquid. Walls of about the same normal count once.
+/// Walls near a particle, as planes that mirror the liquid. Walls with similar normals count once.
 struct Mirrors {
   static constexpr std::size_t most = 3;
   std::array<Vec3d, most> normal;
@@ -89,8 +89,8 @@ Mirrors mirrorsOf(const EvaporationView& v, std::uint32_t i) {
   return m;
 }
 
-/// Calls image(d) for the images of a neighbour at the separation d (support radii) in one wall or several.
-/// Their components across these walls are removed: the gradient of the wall replaces them.
+/// Calls image(d, q^2) for the mirror images, in one or more walls, of a neighbour at `separation` (support
+/// radii). d lacks the components normal to these walls, because wallGradient replaces them.
 template<class Image> void eachImage(const Mirrors& m, const Vec3d& separation, Image&& image) {
   for (unsigned walls = 1; walls < (1u << m.count); walls++) {
     Vec3d d = separation;
@@ -104,14 +104,14 @@ template<class Image> void eachImage(const Mirrors& m, const Vec3d& separation, 
   }
 }
 
-/// Returns the gradient of a wall at a distance (h): the derivative of its part of the density. The pressure
-/// force has another one (tables.hpp).
+/// Returns the derivative of a wall's part of the density at a distance (support radii). The pressure force
+/// uses another gradient (tables.hpp).
 double wallGradient(const WallTables& tables, double distance) {
   const double step = (1 - tables.lowest) / WallTables::points, at = std::max(distance, tables.lowest + step);
   return (tables(at - step).space - tables(at + step).space) / (2 * step);
 }
 
-/// Direction of the mean exposure around a particle, times the degree to which it is at a surface, 0 to 1.
+/// Returns the direction of the mean exposure around a particle. Its length is 0 inside and 1 at a surface.
 template<class Neighbours>
 Vec3d surfaceDirection(const EvaporationView& v, std::uint32_t i, double flat, Neighbours&& neighbours) {
   const Scene& s = v.heat.scene;
@@ -131,9 +131,9 @@ Vec3d surfaceDirection(const EvaporationView& v, std::uint32_t i, double flat, N
   return size > 0 ? direction * (gate / size) : own * (gate / std::max(length(own), 1e-300));
 }
 
-/// Free surface (m^2) of a particle, times spacing and latticeGradient. Redistributes V g.n, which may be
-/// negative, among the particles along a line through the surface, in proportion to sqrt(V) g.n where that is
-/// positive. Small particles then leave in a finite time.
+/// Returns the free surface area (m^2) of a particle, times spacing and latticeGradient. V g.n may be
+/// negative. It is redistributed among the particles along a line through the surface, in proportion to
+/// sqrt(V) g.n where that is positive. Small particles then evaporate in a finite time.
 template<class Neighbours>
 double areaOf(const EvaporationView& v, std::uint32_t i, double flat, Neighbours&& neighbours) {
   const Scene& s = v.heat.scene;
@@ -157,7 +157,7 @@ double areaOf(const EvaporationView& v, std::uint32_t i, double flat, Neighbours
   return gate * own * (all / shares);
 }
 
-/// Energy (J) of a particle's springs on walls, which is proportional to its mass.
+/// Returns the energy (J) of a particle's springs on walls. It is proportional to the particle's mass.
 double springEnergy(const EvaporationView& v, const WallContext& walls, std::uint32_t i) {
   const std::span<const WallContact> contacts = contactsOf(v.contacts, i);
   if (contacts.empty()) return 0;
@@ -167,9 +167,9 @@ double springEnergy(const EvaporationView& v, const WallContext& walls, std::uin
   return sum;
 }
 
-/// d(stored energy)/d(volume of the particle) (J/m^3), of pairs, compression and surface, without contacts.
-/// stored: J, compression and tension of the particle. A carried density has no part: it changes with the
-/// mass (removeVapour).
+/// Returns the derivative of the stored energy with respect to the particle's volume (J/m^3): pairs,
+/// compression and surface, without contacts. stored: J, compression and tension of the particle. A carried
+/// density does not contribute, because it changes with the mass (removeVapour).
 template<class Neighbours>
 double energyPerVolume(const EvaporationView& v, std::uint32_t i, double stored, Neighbours&& neighbours) {
   const Scene& s = v.heat.scene;
@@ -203,7 +203,7 @@ double energyPerVolume(const EvaporationView& v, std::uint32_t i, double stored,
   return own / volumeOf(s, p, i) + sum / (h * h * h);
 }
 
-/// Records mass dm (kg) of a particle as vapour, with its share of the particle's energies.
+/// Records mass dm (kg) of a particle as vapour, with its fraction of the particle's energies.
 void recordVapour(const HeatView& v, std::size_t i, double dm, double dt) {
   const Continuum& p = v.particles;
   const Vec3d &x = p.position[i], &u = p.velocity[i], L = cross(x, u);
@@ -228,7 +228,7 @@ double meanRate(const TemperatureTable& t, double T, double cooling, double dt) 
   for (std::size_t k = t.size(); k-- > 0 && left > 0;) {
     const auto [low, rateLow] = t[k];
     if (!(T > low)) continue;
-    // From T down to the lower end of its part of the table.
+    // Cools from T to the lower end of this interval of the table.
     const double rate = valueAt(t, T, Interpolation::Linear), slope = (rate - rateLow) / (T - low);
     const double decay = slope * cooling;  // 1/s
     const double needed = slope == 0    ? (T - low) / (cooling * rate)
@@ -296,7 +296,7 @@ void findVapour(const EvaporationView& v, const WallContext& walls, std::span<co
     p.heatFlow[i] -= heat;
     v.heat.ledger.heatIn.add(-heat * dt);
     v.heat.ledger.vapourHeat.add(heat * dt);
-    // The rest leaves at the end, and its latent heat is taken here.
+    // The remaining mass leaves when the particle is removed. Its latent heat is subtracted here.
     const double mass = std::min((1 - leastVapourFraction) * rate * dt, p.mass[i]);
     p.vapour[i] = mass;
     p.vapourEnergy[i] = mass / restDensityOf(p, s.materials, i) *

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Evaporation of liquids at free surfaces (docs/theory/evaporation.md): a sink of mass and latent heat.
-// Particles lose mass, and leave when little of it remains.
+// Particles lose mass, and are removed when little mass remains.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace thaw {
 
-/// Fraction of the mass of a full particle, density times spacing^3; lighter particles are removed.
+/// Fraction (1) of the mass of a full particle, density times spacing^3. Lighter particles are removed.
 inline constexpr double leastVapourFraction = 0.02;
 
 struct EvaporationView {
@@ -26,8 +26,9 @@ struct EvaporationView {
   double selfExcess;         ///< PairSums::selfExcess
 };
 
-/// Mean of a rate per area over dt (s) while it cools the particle, dT/dt = -cooling r(T), from T (K) on. The
-/// solution is exact for the table, so no step crosses a temperature at which the rate is 0.
+/// Returns the mean rate of evaporation (kg/(m^2 s)) over dt (s), while it cools the particle from T (K):
+/// dT/dt = -cooling r(T). The solution is exact for the table, so no step crosses a temperature at which the
+/// rate is 0.
 double meanRate(const TemperatureTable& rate, double T, double cooling, double dt);
 
 /// Sets Continuum::exposure of liquids that evaporate: twice the spacing times the gradient of the volume
@@ -35,19 +36,20 @@ double meanRate(const TemperatureTable& rate, double T, double cooling, double d
 /// Requires: Continuum::freeSurfaceIndicator, of pairs alone; positions and masses of ghosts.
 void findExposure(const EvaporationView& view);
 
-/// Sets Continuum::vapour, the mass that evaporates over the step of dt (s) that ends now, and vapourEnergy.
+/// Sets Continuum::vapour, the mass that evaporates over the step of dt (s) that ends now, and
+/// Continuum::vapourEnergy.
 /// Requires: exposure, relativeDensity and derivatives of the surface energy of ghosts. pairEnergy: J,
 /// compression and tension of owned rows.
-/// Ensures: heatFlow lacks the latent heat, which Ledger::heatIn and vapourHeat record.
+/// Ensures: the latent heat is subtracted from heatFlow, and recorded in Ledger::heatIn and vapourHeat.
 /// The area of a particle is its volume times the component of the gradient along the surface's normal. It is
 /// exact for a flat surface in any arrangement of particles, since gradients of pairs cancel in the sum.
 void findVapour(const EvaporationView& view, const WallContext& walls, std::span<const double> pairEnergy,
                 double dt);
 
-/// Removes Continuum::vapour from the particles and returns the rows of which too little remains, ascending.
-/// Requires: dt (s) of the step that ends now, and velocities of its middle. The caller removes the returned
-/// rows and records them.
-/// Ensures: Ledger::left and evaporated have the mass, momentum and energy of the vapour. A particle that
+/// Removes Continuum::vapour from the particles. Returns the rows with too little remaining mass, ascending.
+/// dt: s, the step that ends now. Requires: velocities at the middle of that step. The caller removes the
+/// returned rows and records them.
+/// Ensures: Ledger::left and evaporated include the mass, momentum and energy of the vapour. A particle that
 /// froze keeps its mass, since its volume as a solid is known.
 std::vector<std::uint32_t> removeVapour(const HeatView& view, const RecordContext& records, double dt);
 

@@ -11,9 +11,9 @@
 namespace thaw {
 namespace {
 
-// The area is a function of the missing weights plus one of the asymmetry, both relative to a flat face of
-// the lattice. These piecewise linear functions are fitted to the total areas of 750 bodies
-// (docs/theory/heat.md). A flat face, an edge and a plate of one layer are exact.
+// The area is the sum of a function of the missing weights and a function of the asymmetry. Both arguments
+// are relative to a flat face of the lattice. These piecewise linear functions are fitted to the total
+// areas of 750 bodies (docs/theory/heat.md). A flat face, an edge and a plate of one layer are exact.
 constexpr double missingStep = 0.25, asymmetryStep = 0.125;
 constexpr std::array<double, 14> areaOfMissing{0,     0, 0.357, 0.357, 0.357, 0.572, 0.572,
                                                1.485, 2, 2.553, 3.124, 3.686, 5.158, 7.304};
@@ -28,8 +28,8 @@ template<std::size_t N> double interpolate(const std::array<double, N>& values, 
   return values[k] + (x - static_cast<double>(k)) * (values[k + 1] - values[k]);
 }
 
-/// Missing weights, relative to a flat face, to the area of convex edges. Nearly multiplicative weights make
-/// the logarithm additive: a corner has three faces.
+/// Converts missing weights, relative to a flat face, to an area in faces. Weights at convex edges are nearly
+/// multiplicative, so their logarithms add up: a corner has three faces.
 double facesOf(const ExposedAreaLaw& law, double missing) {
   if (law.log < 1e-6) return missing;
   return std::log(std::max(1 - law.log * missing, 1e-3)) / std::log(1 - law.log);

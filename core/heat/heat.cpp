@@ -18,7 +18,7 @@ Thermal stateOf(const Scene& s, const Material& m, const Continuum& p, std::size
   return thermalOf(m, p.enthalpy[i]);
 }
 
-/// Temperature of a particle in a scene without heat: that of its body or emitter.
+/// Returns the temperature (K) of a particle in a scene without heat: the one of its body or emitter.
 double givenTemperature(const Scene& s, std::uint16_t source) {
   return source < s.bodies.size() ? s.bodies[source].temperature
                                   : s.emitters[source - s.bodies.size()].temperature;
@@ -30,9 +30,9 @@ double surfaceConductance(const Material& m, double T, double ambient) {
   return m.convection + m.emissivity * stefanBoltzmann * (ambient * ambient + T * T) * (ambient + T);
 }
 
-/// The coefficient for the difference between a particle's temperature T and the ambient one. The surface is
-/// half a spacing from the particle and cooler: k (T - T_surface) / (dx / 2) is the heat lost (CJ59 1.9).
-/// Particles without conductivity have one temperature, up to their surface.
+/// Returns the coefficient (W/(m^2 K)) for the difference between a particle's temperature T (K) and the
+/// ambient temperature. The surface is half a spacing from the particle, and cooler. The heat flux is k (T -
+/// T_surface) / (dx / 2) (CJ59 1.9). Without conductivity, the surface has the particle's temperature.
 double particleConductance(const Scene& s, const Material& m, double f, double T) {
   const double ambient = s.domain.ambient, inner = 2 * conductivityOf(s.numerics.heat, m, f) / s.spacing;
   if (!(inner > 0)) return surfaceConductance(m, T, ambient);
@@ -44,18 +44,19 @@ double particleConductance(const Scene& s, const Material& m, double f, double T
   return inner * outer / (inner + outer);
 }
 
-/// Share of a particle's heat above the ambient temperature that it loses in a step. share: its value at the
-/// initial rate. Both differ by O(share^3), because conduction supplies heat during the step. The result is
-/// below 1, so that losses do not overshoot.
+/// Returns the fraction of a particle's heat above the ambient temperature that is lost in a step. share: the
+/// same fraction at the initial rate. The two differ by O(share^3), because conduction supplies heat during
+/// the step. The result is below 1, so losses do not overshoot.
 double boundedShare(double share) { return -std::expm1(-share * (1 + 0.5 * share)); }
 
-/// Heat that a particle still has to absorb for a thermostat's temperature (J/kg).
+/// Returns the heat (J/kg) that a particle must absorb to reach a thermostat's temperature.
 double missingHeat(const Scene& s, const Material& m, const Continuum& p, std::size_t i, double T) {
   return ledgerEnthalpy(s.numerics.heat, m, T, p.liquid.active ? static_cast<double>(p.liquid[i]) : 0) -
          p.enthalpy[i];
 }
 
-/// Fraction of a thermostat's remaining heat in the step of length dt (s) that begins at `time`; 0: inactive.
+/// Returns the fraction of a thermostat's remaining heat that is due in the step of dt (s) from `time` (s);
+/// 0: inactive.
 double shareOf(const Thermostat& t, double time, double dt) {
   const double from = std::max(time, t.start), end = t.start + t.over, left = end - from;
   if (time + dt <= t.start || from > end) return 0;

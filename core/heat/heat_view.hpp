@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The data of a run that heat reads and changes.
+// Data of a run that the heat model reads and changes.
 #pragma once
 #include "core/ledger/ledger.hpp"
 #include "core/particles/continuum.hpp"

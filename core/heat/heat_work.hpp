@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Work data of heat flows, reused in each step. They are not part of the state.
+// Work data of heat flows, reused in each step. It is not part of the state.
 #pragma once
 #include "core/heat/conduction_correction.hpp"
 #include "core/heat/contact_heat.hpp"

@@ -11,9 +11,10 @@
 namespace thaw {
 namespace {
 
-/// Derivative (J) of all energies of tension with respect to the logarithm of a volume, at fixed positions.
-/// tension: energy (J) of the particle. The energy of a pair is proportional to both volumes. A surface
-/// energy is proportional to the own volume, and its gradient and colour to those of the neighbours.
+/// Returns the derivative (J) of all energies of tension with respect to the logarithm of a particle's
+/// volume, at fixed positions. tension: energy (J) of the particle. The energy of a pair is proportional to
+/// both volumes. A surface energy is proportional to the particle's own volume. Its gradient and colour are
+/// proportional to the neighbours' volumes.
 double tensionByVolume(const RecordContext& x, const Continuum& p, std::size_t i, double tension) {
   if (!x.modules.surfaceEnergy) return 2 * tension;
   return tension + p.mass[i] / p.restDensity[i] *
@@ -21,8 +22,8 @@ double tensionByVolume(const RecordContext& x, const Continuum& p, std::size_t i
                         p.surfaceEnergyByColour[i] * p.surfaceColour[i]);
 }
 
-/// Pressure work (J) on a volume that grows by the ratio, with a summed density. Assumes that neighbours have
-/// the particle's own pressure.
+/// Returns the pressure work (J) on a volume that grows by the ratio, with a summed density. Assumes that
+/// neighbours have the particle's own pressure.
 double workOfGrowth(const RecordContext& x, const Continuum& p, std::size_t i, double ratio) {
   const double relativeDensity = static_cast<double>(p.relativeDensity[i]);
   if (x.modules.incompressible || !(relativeDensity > 0)) return 0;

@@ -26,10 +26,10 @@ void storeInterpolant(const SampledPoints& m, PointInterpolant& g) {
   if (m.reach > 0) g.reach = m.reach / g.apart;
 }
 
-// Spacings: particles of two bodies at nearly one position repel strongly, or not at all.
+// Spacings. Particles of two bodies at almost the same position repel strongly, or not at all.
 constexpr double samePlace = 0.1;
 
-/// Adds problems for bodies that share positions and for duplicate points. All ranks test all positions.
+/// Adds problems for bodies with common positions, and for duplicate points. All ranks test all positions.
 void refuseSharedPositions(const Scene& s, const std::vector<std::vector<Vec3d>>& places,
                            SceneProblems& problems) {
   for (std::size_t b = 0; b < places.size(); b++) {
@@ -87,14 +87,14 @@ void prepareOriented(Scene& s, OrientedWork& work, const MeshLoader& load) {
     try {
       storeInterpolant(samplePoints(s.oriented[b], spacingOf(s, s.oriented[b]), s.seed + b, load),
                        work.given[b]);
-    } catch (const std::invalid_argument&) {  // sampleOriented reports the error
+    } catch (const std::invalid_argument&) {  // sampleOriented reports this error
     } catch (const std::runtime_error&) {}
   }
 }
 
 namespace {
 
-/// Samples a body on all ranks alike. Returns false, and adds the problem, where that fails.
+/// Samples a body, with the same result on all ranks. On failure, adds a problem and returns false.
 bool tryToSample(const Scene& scene, std::size_t b, const MeshLoader& load, SampledPoints& sampled,
                  SceneProblems& problems) {
   const OrientedBody& body = scene.oriented[b];
@@ -123,11 +123,11 @@ void warnOfNotes(const SourcePlace& where, const std::string& whose, const std::
   for (const std::string& note : notes) warnings.push_back({where, whose + ": " + note});
 }
 
-/// Constraints of a body. The first one that contains a particle holds it.
+/// Constraints of a body. A particle belongs to the first constraint that contains it.
 struct ConstraintRegions {
   const OrientedBody& body;
-  std::vector<std::shared_ptr<const SignedDistance>> shapes;  ///< null where the shape has a problem
-  std::vector<std::size_t> count;                             ///< particles inside, on all ranks
+  std::vector<std::shared_ptr<const SignedDistance>> shapes;  ///< null if the shape has a problem
+  std::vector<std::size_t> count;                             ///< number of particles inside, on all ranks
 
   ConstraintRegions(const OrientedBody& b, const MeshLoader& load, SceneProblems& problems,
                     std::vector<SceneWarning>& warnings)
@@ -141,8 +141,8 @@ struct ConstraintRegions {
     }
   }
 
-  /// Returns the number of the constraint at x, or noConstraint. Counts x for each constraint that contains
-  /// it.
+  /// Returns the index of the constraint at x (m), or noConstraint. Counts x for each constraint that
+  /// contains it.
   std::uint16_t at(const Vec3d& x) {
     std::uint16_t constraint = noConstraint;
     for (std::size_t a = shapes.size(); a-- > 0;)
@@ -164,7 +164,7 @@ struct ConstraintRegions {
 
 /// Initial state of a particle.
 struct SampledParticle {
-  std::size_t number;  ///< in its body
+  std::size_t number;  ///< number in its body
   Vec3d position, normal;
   std::uint8_t flags;
   std::uint16_t constraint;
@@ -195,7 +195,7 @@ void addSampledRow(Oriented& o, const Scene& scene, std::size_t b, const Sampled
   o.constraint[i] = p.constraint;
 }
 
-/// Returns all particles of a body, with the constraints of its points and constraints.
+/// Returns all particles of a body, with their constraints from fixed points and from constraint regions.
 std::vector<SampledParticle> particlesOf(const SampledPoints& sampled, ConstraintRegions& constraints) {
   std::vector<SampledParticle> particles;
   for (std::size_t k = 0; k < sampled.places.size(); k++) {

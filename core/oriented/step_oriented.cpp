@@ -20,19 +20,20 @@ namespace {
 
 constexpr double perObstacle = 0.5;  // rad, phase per step at obstacle barriers
 
-// Phase (rad) per step of contacts, whose force grows with the cube of depth. Twice the value gains 1 % of
-// the energy of a pressed surface.
+// Phase (rad) per step of contacts. Their force grows with the cube of depth. With twice this value, a
+// pressed surface gains 1 % of its energy.
 constexpr double perContact = 0.25;
 
-/// Records the rows' energy as changed without work: `sign` 1 before the change, -1 after it.
+/// Records a change of the rows' energy without work. sign: 1 before the change, -1 after it.
 void recordEnergyJump(const OrientedView& w, double sign, double dt) {
   const Oriented& o = w.oriented.rows;
   for (std::size_t i = 0; i < o.owned; i++) w.ledger.phaseJump.add(sign * o.energy[i]);
   recordKickLag(w, sign, dt, w.ledger.phaseJump);
 }
 
-/// Scales the contact forces with other body types to half of the last and half of the next step of dt (s).
-/// The other ends integrate the same force by leap-frog and get that impulse. Returns the scale.
+/// Scales the contact forces with other body types to half of the last step plus half of the next step of dt
+/// (s). The other bodies integrate the same force by leap-frog, so they get the same impulse. Returns the
+/// scale.
 double scaleContacts(Oriented& o, const Clock& clock, double dt) {
   const double weight = 0.5 * (clock.stepDt + dt) / dt;
   for (std::size_t i = 0; i < o.owned && o.external.active; i++) {
@@ -43,10 +44,10 @@ double scaleContacts(Oriented& o, const Clock& clock, double dt) {
   return weight;
 }
 
-/// Records dissipation of contacts with other body types, and the error of the integrator for their force E.
-/// E acts over half of the displacement before it and half of that after it (s v and d v' for steps s and d).
-/// Its impulse E (s + d)/2 does the work E (s + d)/2 . (v + v')/2; if the scheme's loss assumes the new
-/// velocity, it is E (s + d)/2 . v'.
+/// Records dissipation of contacts with other body types, and the integrator's error for their force E. E
+/// acts over half of the displacement before it (s v, step s) and half of the displacement after it (d v',
+/// step d). Its impulse E (s + d)/2 does the work E (s + d)/2 . (v + v')/2. If the scheme's loss assumes the
+/// new velocity, the work is E (s + d)/2 . v'.
 void recordContactWork(const OrientedView& w, const StateBefore& before, double weight) {
   Oriented& o = w.oriented.rows;
   if (!o.external.active) return;
@@ -61,7 +62,7 @@ void recordContactWork(const OrientedView& w, const StateBefore& before, double 
   }
 }
 
-/// Returns whether a row of any rank has crossed an open side. Collective, if the domain has one.
+/// Returns whether a row of any rank has crossed an open side. Collective if the domain has an open side.
 bool anyLeaves(const Oriented& o, const Domain& domain, Reducer& all) {
   if (!hasOpenSide(domain)) return false;
   const OpenBox box = openBox(domain);
@@ -81,7 +82,7 @@ void removeOutside(const OrientedView& w, double dt) {
     }
 }
 
-/// Returns whether a free row moved farther than its interaction radius; tested before it can leave the
+/// Returns whether a free row moved farther than its interaction radius. Called before rows can leave the
 /// domain.
 bool exceedsReach(const Oriented& o, const Scene& scene, const std::vector<Vec3d>& before) {
   const double reach = orientedReach(scene), reach2 = reach * reach;
@@ -99,7 +100,7 @@ void stepOriented(const OrientedView& w, Halos halos, double dt) {
   const double weight = scaleContacts(w.oriented.rows, w.clock, dt);
   w.work.time = w.clock.time;  // time of the forces at the start of the step
   averageFields(w, dt);
-  // one integrator for all, since pairs may join two bodies
+  // one integrator for all bodies, since pairs may join two bodies
   const OrientedIntegrator how = w.scene.oriented.front().integrator;
   if (how == OrientedIntegrator::RungeKutta) stepRungeKutta(w, halos, dt);
   else if (how == OrientedIntegrator::SemiImplicit) stepSemiImplicit(w, halos, dt);
@@ -170,7 +171,7 @@ void evaluateOriented(const OrientedView& w, Halos halos, double dt) {
     sumOrientedForces(w);
   }
   if (o.external.active) {
-    // the forces include contacts of the last evaluation; those of this one are added later
+    // the forces include contacts of the last evaluation; contacts of this evaluation are added later
     for (std::size_t i = 0; i < o.owned; i++) {
       o.force[i] -= o.external[i];
       o.external[i] = o.dissipativeForce[i] = {};
@@ -181,7 +182,7 @@ void evaluateOriented(const OrientedView& w, Halos halos, double dt) {
 }
 
 void recordBirthContacts(const Oriented& o, const OrientedWork& work, Ledger& ledger) {
-  // the other half is at the other ends
+  // the other half belongs to the other particles
   for (const OrientedWork::Born& b : work.born) ledger.phaseJump.add(-2 * (o.energy[b.row] - b.energy));
 }
 

@@ -7,7 +7,7 @@
 
 namespace thaw {
 
-static_assert(noSet == notRigid);  // labels become pieces
+static_assert(noSet == notRigid);  // labels become ids of pieces
 
 namespace {
 
@@ -23,13 +23,13 @@ bool connected(const RigidView& v, std::uint32_t i, std::uint32_t j, bool atStar
   return within(connectedDistance);
 }
 
-/// Joins connected rows, owned ones and ghosts.
+/// Joins connected rows, including ghosts.
 DisjointSets joinRows(const RigidView& v, bool atStart, const SpecialPairs& special) {
   Continuum& p = v.particles;
   DisjointSets sets(p.size());
   eachNear(v.cells, p.owned, v.cells, [&](std::uint32_t i, std::uint32_t j) {
     if (p.setLabel[i] == noSet || p.setLabel[j] == noSet || i == j) return;
-    if (j < i && j < p.owned) return;  // seen from j
+    if (j < i && j < p.owned) return;  // the search from j handles this pair
     if (connected(v, i, j, atStart, special) && !(special.parted && special.parted(i, j))) sets.join(i, j);
   });
   return sets;

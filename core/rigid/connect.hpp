@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Connected particles of rigid materials.
+// Connects particles of rigid materials.
 #pragma once
 #include <functional>
 
@@ -8,10 +8,10 @@
 
 namespace thaw {
 
-/// Longest distance (spacings) of connected particles of a piece: that of two neighbours across an edge of
-/// the lattice, as for components of the surface.
+/// Largest distance (spacings) between connected particles of a piece. It includes diagonal neighbours in a
+/// face of the lattice, as for components of the surface.
 inline constexpr double connectedDistance = 1.5;
-/// Longest distance (spacings) at which a particle that freezes joins a piece.
+/// Largest distance (spacings) at which a freezing particle joins a piece.
 inline constexpr double joinDistance = 1.2;
 
 /// Returns true if a particle is part of a piece or becomes one.
@@ -19,15 +19,15 @@ inline bool belongsToPiece(const Scene& scene, const Continuum& p, std::size_t i
   return p.phase[i] == Solid && scene.materials[p.material[i]].isRigid();
 }
 
-/// Pairs of rows that labelPieces treats in another way; null: none. The order of the two does not matter.
+/// Pairs of rows that labelPieces treats as exceptions; null: none. Both functions are symmetric.
 struct SpecialPairs {
-  std::function<bool(std::uint32_t, std::uint32_t)> parted{};  ///< a break separates the two
-  std::function<bool(std::uint32_t, std::uint32_t)> welded{};  ///< rows of two pieces that weld
+  std::function<bool(std::uint32_t, std::uint32_t)> parted{};  ///< a break separates the rows
+  std::function<bool(std::uint32_t, std::uint32_t)> welded{};  ///< the rows belong to two pieces that weld
 };
 
-/// Sets Continuum::setLabel of owned particles that belong to pieces to 1 + the smallest id of all
-/// particles connected to them, and of others to 0. Connected are particles of one piece (at the start: of
-/// one body), particles in touch of which one has no piece yet, and welded ones. Requires: ghosts.
+/// Sets Continuum::setLabel of owned particles. For particles of pieces, it is 1 + the smallest id of all
+/// particles connected to them, else 0. Particles are connected if they are close and of one piece (at the
+/// start: of one body), if they touch and one has no piece yet, or if they are welded. Requires: ghosts.
 /// Collective.
 void labelPieces(const RigidView& view, const Halos& halos, bool atStart, const SpecialPairs& special = {});
 

@@ -10,7 +10,7 @@
 namespace thaw {
 namespace {
 
-/// Inverse inertia tensor along the axes of the domain.
+/// Returns the inverse inertia tensor (1/(kg m^2)) along the axes of the domain.
 Sym3d inverseInertia(const Pieces& p, std::size_t k) {
   Sym3d sum{};
   for (int a = 0; a < 3; a++) {
@@ -23,7 +23,7 @@ Sym3d inverseInertia(const Pieces& p, std::size_t k) {
   return sum;
 }
 
-/// Motions of all pieces after the first half kick of the next step.
+/// Returns the motions of all pieces after the first half kick of the next step, of dt (s).
 std::vector<PieceMotion> nextMotions(const Pieces& p, double dt) {
   std::vector<PieceMotion> motions(p.owned);
   for (std::size_t k = 0; k < p.owned; k++) {
@@ -45,9 +45,9 @@ ContactSettings settingsOf(const RigidView& v, double dt) {
   s.impactSpeed = 2 * length(v.scene.domain.gravity) * dt;
   s.slop = 0.01 * spacing;
   s.mostCorrection = 0.05 * spacing;
-  // Errors add up over the height of a stack and let it creep.
+  // Errors accumulate over the height of a stack, and the stack would creep.
   s.tolerance = std::max(1e-6 * spacing / dt, 3e-3 * length(v.scene.domain.gravity) * dt);
-  // While pieces collide, such errors change their positions by far less than the slop.
+  // While pieces collide, these errors change positions by much less than the slop.
   s.impactPart = 2e-3;
   return s;
 }
@@ -103,7 +103,8 @@ void acceptContacts(const RigidView& v, const SolvedContacts& solved, double dt,
   if (all.rank() != 0) return;
   v.counters.contactIterations += v.work.contacts.iterations;
   v.counters.contactUnfinished += !result.converged;
-  // The work on pieces raises their kinetic energy, which the drift subtracts from the dissipated one.
+  // This work increases the kinetic energy of pieces. The drift subtracts that increase from the dissipated
+  // energy.
   v.ledger.wallWork.add(result.obstacleWork);
   v.ledger.dissipated.add(result.obstacleWork);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Impulses of the contacts of pieces in the next step.
+// Contact impulses of pieces in the next step.
 #pragma once
 #include <vector>
 
@@ -18,9 +18,9 @@ struct SolvedContacts {
   double tolerance = 0;  ///< m/s
 };
 
-/// Finds the contacts of all pieces at their present positions. Sets the impulses and displacements with
-/// which the next drift, over dt (s), leaves them without new overlap. Wakes sleeping pieces that are loaded
-/// or touched. Requires: rows of the pieces of owned particles and ghosts. Collective.
+/// Finds the contacts of all pieces at their present positions. Sets impulses and displacements for the next
+/// drift, over dt (s), which prevent new overlap. Wakes sleeping pieces that are loaded or touched. Requires:
+/// rows of the pieces of owned particles and ghosts. Collective.
 SolvedContacts findContactImpulses(const RigidView& view, const Halos& halos, double dt);
 
 /// Records the contacts of the next step, of dt (s), and updates the sleep state of pieces. Collective.

@@ -16,7 +16,8 @@ namespace {
 struct Need {
   std::uint64_t id = 0;
   std::uint32_t localParticles = 0;  ///< owned particles
-  bool border = false;  ///< another rank may need it: it has particles in border cells, or ghosts
+  bool border = false;  ///< another rank may need the piece, because it has particles in border cells, or
+                        ///< ghosts
 };
 
 void sortRows(Pieces& p) {
@@ -27,11 +28,11 @@ void sortRows(Pieces& p) {
   p.reorder(order);
 }
 
-/// Pieces of owned particles and ghosts, ascending.
+/// Returns the pieces of owned particles and ghosts, ascending.
 std::vector<Need> findNeeds(const RigidView& v, const CellHalo& cells, PieceUsers users, bool alone) {
   const Continuum& p = v.particles;
   std::unordered_map<std::uint64_t, Need> found;
-  Need* last = nullptr;  // need of the previous row, usually the same piece
+  Need* last = nullptr;  // entry of the previous row, usually of the same piece
   const auto add = [&](std::size_t i) -> Need& {
     if (!last || last->id != p.piece[i]) last = &found[p.piece[i]];
     last->id = p.piece[i];
@@ -61,7 +62,7 @@ void appendRow(const Pieces& p, std::uint32_t row, std::vector<std::uint64_t>& w
   p.packState(row, reinterpret_cast<std::byte*>(words.data() + at));
 }
 
-/// Flags of a message about a piece to its home rank, in one word behind the id.
+/// Flags of a message about a piece to its home rank, in the word after the id.
 constexpr std::uint64_t holds = 1, wants = 2, gives = 4;
 constexpr int numberShift = 8;  ///< bits of an answer below the number of a shared piece
 
@@ -114,8 +115,7 @@ std::unordered_map<std::uint64_t, Entry> readAnnounced(const std::vector<WordStr
   return home;
 }
 
-/// Numbers the shared pieces of all ranks: those of the home ranks one after the other, each ascending by id.
-/// Returns their total. Collective.
+/// Numbers the shared pieces of all ranks, by home rank and then by id. Returns the total number. Collective.
 std::size_t numberShared(std::unordered_map<std::uint64_t, Entry>& home, Reducer& all) {
   std::vector<std::uint64_t> mine;
   for (const auto& [id, e] : home)
@@ -134,7 +134,8 @@ std::size_t numberShared(std::unordered_map<std::uint64_t, Entry>& home, Reducer
   return static_cast<std::size_t>(total);
 }
 
-/// Returns the answers to each holder: the number of the piece if others hold it, and its row on request.
+/// Returns the replies to each holder: the number of the piece if other ranks hold it, and its row if
+/// requested.
 WordStreams answers(const std::vector<WordStream>& in, const std::unordered_map<std::uint64_t, Entry>& home,
                     std::size_t width, int ranks) {
   WordStreams out(ranks);
@@ -156,7 +157,7 @@ WordStreams answers(const std::vector<WordStream>& in, const std::unordered_map<
 
 using SharedNumbers = std::unordered_map<std::uint64_t, std::uint32_t>;
 
-/// Adds received rows, and the numbers of needed pieces that others hold.
+/// Adds received rows, and the numbers of needed pieces that other ranks hold.
 void takeAnswers(const std::vector<WordStream>& in, Pieces& p, SharedNumbers& shared) {
   const std::size_t width = rowWords(p);
   for (const WordStream& s : in)

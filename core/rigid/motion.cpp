@@ -10,7 +10,7 @@
 namespace thaw {
 namespace {
 
-/// Velocity field of a piece.
+/// Rigid motion of a piece.
 struct Rigid {
   Vec3d centre, velocity, spin;
   Quat orientation;
@@ -20,7 +20,7 @@ Rigid rigidOf(const Pieces& p, std::size_t row) {
   return {p.centre[row], velocityOf(p, row), spinOf(p, row, p.angularMomentum[row]), p.orientation[row]};
 }
 
-/// Shifts x by whole periods to the image nearest to `near`.
+/// Shifts x (m) by whole periods to the image nearest to `near` (m).
 Vec3d imageNear(const CellGrid& g, Vec3d x, const Vec3d& near) {
   for (int a = 0; a < 3; a++)
     if (g.periodic[a]) x[a] -= g.period[a] * std::round((x[a] - near[a]) / g.period[a]);
@@ -44,8 +44,9 @@ double kineticEnergy(const Pieces& p, std::size_t k) {
   return 0.5 * (dot(P, P) / p.mass[k] + dot(L, spinOf(p, k, L)));
 }
 
-/// Adds the impulses of contacts in the middle of the kick over dt, and records them. The kinetic energy that
-/// they take there is not all lost: they act over the step, so part of it replaces the work of the kick.
+/// Adds contact impulses in the middle of the kick over dt (s), and records them. Not all kinetic energy that
+/// they remove there is dissipated. The impulses act over the step, so part of that energy replaces the
+/// work of the kick.
 void addContactImpulses(const RigidView& v, std::size_t k, double dt) {
   Pieces& s = v.pieces;
   const Vec3d J = s.contactImpulse[k], twist = s.contactTwist[k];

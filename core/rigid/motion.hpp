@@ -6,7 +6,8 @@
 
 namespace thaw {
 
-/// First half kick, impulses of contacts, and drift of all pieces over dt (s). Requires: Continuum::pieceRow.
+/// Applies the first half kick, the contact impulses, and the drift of all pieces over dt (s). Requires:
+/// Continuum::pieceRow.
 /// Ensures: particles of pieces have the positions and velocities of their pieces.
 void driftPieces(const RigidView& view, double dt);
 
@@ -14,14 +15,14 @@ void driftPieces(const RigidView& view, double dt);
 /// moves them with their pieces. Collective.
 void sumPieceForces(const RigidView& view, Reducer& all);
 
-/// Second half kick over dt / 2 (s), with velocities of particles.
+/// Applies the second half kick, over dt / 2 (s), and updates the velocities of particles.
 void kickPieces(const RigidView& view, double dt);
 
-/// Adds an impulse (N s) and an angular impulse (N m s) to a piece; the rank that leads it records the loss
-/// of kinetic energy as dissipated.
+/// Adds an impulse (N s) and an angular impulse (N m s) to a piece. The rank that leads the piece records the
+/// loss of kinetic energy as dissipated.
 void addImpulse(const RigidView& view, std::size_t row, const Vec3d& impulse, const Vec3d& twist);
 
-/// Angular acceleration (rad/s^2) of a piece.
+/// Returns the angular acceleration (rad/s^2) of a piece.
 Vec3d angularAcceleration(const Pieces& pieces, std::size_t row);
 
 }  // namespace thaw

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pieces in the solvers of incompressible and of thick liquids: strong coupling [GPBPT19].
+// Strong coupling of pieces to the solvers of incompressible and of highly viscous liquids [GPBPT19].
 #pragma once
 #include <vector>
 
@@ -9,8 +9,8 @@
 
 namespace thaw {
 
-/// Joins the velocity changes of the particles of pieces. Requires: rows of the pieces of owned particles,
-/// which do not move while it is in use.
+/// Makes the velocity changes of a piece's particles a rigid motion. Requires: rows of the pieces of owned
+/// particles. Pieces must not move while this object is in use.
 class PieceJoint : public JointMotion {
  public:
   PieceJoint(const RigidView& view, Reducer& all);
@@ -26,7 +26,7 @@ class PieceJoint : public JointMotion {
   RigidView view_;
   Reducer& all_;
   std::vector<Member> members_;
-  std::vector<Vec3d> impulse_, twist_;  ///< N s and N m s by row, of the last call of join
+  std::vector<Vec3d> impulse_, twist_;  ///< N s and N m s by row, from the last call of join
 };
 
 }  // namespace thaw

@@ -7,10 +7,10 @@
 namespace thaw {
 namespace {
 
-/// Words at the home rank by piece.
+/// Words at the home rank, by piece.
 using HomeWords = std::unordered_map<std::uint64_t, std::vector<std::uint64_t>>;
 
-/// Combines all received words by piece. The order does not matter.
+/// Combines all received words of each piece. The order does not matter.
 template<class Combine>
 HomeWords combineReceived(const std::vector<WordStream>& in, std::size_t perPiece, Combine&& combine) {
   HomeWords home;

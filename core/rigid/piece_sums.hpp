@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums over the particles of pieces that lie on several ranks.
+// Sums over the particles of pieces on several ranks.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -13,8 +13,8 @@
 
 namespace thaw {
 
-/// Adds words of pieces over all ranks that have them. Few words of shared pieces are added by one reduction
-/// over all ranks, many at the home rank of each piece: the sums are the same.
+/// Adds words of pieces over all ranks that have the pieces. If there are few words, one reduction over all
+/// ranks adds them. Many words are added at the home rank of each piece. The sums are the same.
 class RankPieceExchange : public PieceExchange {
  public:
   /// ids: piece of each row. shared: null if any row may be shared.
@@ -48,7 +48,7 @@ inline std::vector<std::uint64_t> idsOf(const Pieces& p, std::span<const std::ui
   return ids;
 }
 
-/// Replaces exact sums, perPiece for each row, by those of all ranks. words: scratch. Collective.
+/// Replaces exact sums, perPiece for each row, by the sums over all ranks. words: scratch buffer. Collective.
 void sumOverRanks(PieceExchange& exchange, std::span<ExactSum> sums, std::size_t perPiece,
                   std::vector<std::int64_t>& words);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The data of a step that rigid pieces read and change.
+// Data of a step that rigid pieces read and change.
 #pragma once
 #include "core/ledger/counters.hpp"
 #include "core/ledger/ledger.hpp"

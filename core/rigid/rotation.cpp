@@ -8,7 +8,7 @@ namespace thaw {
 namespace {
 
 constexpr int mostTerms = 24;
-constexpr double longestAngle = 0.25;  // rad in a substep: 24 terms reach rounding
+constexpr double longestAngle = 0.25;  // rad per substep: 24 terms are exact up to rounding
 
 Vec3d overEach(const Vec3d& m, const Vec3d& inertia) {
   return {m.x / inertia.x, m.y / inertia.y, m.z / inertia.z};
@@ -21,7 +21,7 @@ Quat& operator+=(Quat& a, const Quat& b) {
 
 Quat times(double s, const Quat& q) { return {s * q.w, s * q.x, s * q.y, s * q.z}; }
 
-/// One substep. Term k of a series is the k-th Taylor coefficient times dt^k.
+/// Performs one substep. Term k of a series is the k-th Taylor coefficient times dt^k.
 Quat substep(const Quat& start, const Vec3d& momentum, const Vec3d& inertia, double dt) {
   Quat q[mostTerms + 1], sum = start;
   Vec3d m[mostTerms + 1], w[mostTerms + 1];
@@ -42,7 +42,7 @@ Quat substep(const Quat& start, const Vec3d& momentum, const Vec3d& inertia, dou
     sum += q[k + 1];
     const double size = std::abs(q[k + 1].w) + std::abs(q[k + 1].x) + std::abs(q[k + 1].y) +
                         std::abs(q[k + 1].z);
-    // Odd or even terms alone may vanish.
+    // All odd or all even terms may vanish, so the test uses two terms.
     const double before = std::abs(q[k].w) + std::abs(q[k].x) + std::abs(q[k].y) + std::abs(q[k].z);
     if (k > 0 && size < 1e-19 && before < 1e-18) break;
   }
@@ -56,7 +56,8 @@ Quat rotateFreely(const Quat& orientation, const Vec3d& angularMomentum, const V
   const Vec3d m = inBody(orientation);
   const double twiceEnergy = dot(m, overEach(m, inertia));
   const double least = std::min({inertia.x, inertia.y, inertia.z});
-  const double angle = std::sqrt(twiceEnergy / least) * std::abs(dt);  // bound of the angle in dt
+  const double angle = std::sqrt(twiceEnergy / least) * std::abs(dt);  // upper bound of the rotation angle
+                                                                       // over dt
   if (!(angle > 0)) return orientation;
   const int substeps = static_cast<int>(std::min(std::ceil(angle / longestAngle), 1e6));
   Quat q = orientation;
@@ -65,7 +66,7 @@ Quat rotateFreely(const Quat& orientation, const Vec3d& angularMomentum, const V
 }
 
 Quat quatOf(const Vec3d& x, const Vec3d& y, const Vec3d& z) {
-  // Shepperd's method: the largest of the four components first.
+  // Shepperd's method computes the largest of the four components first.
   const double trace = x.x + y.y + z.z;
   Quat q;
   if (trace >= std::max({x.x, y.y, z.z})) {

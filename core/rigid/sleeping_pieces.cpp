@@ -10,14 +10,14 @@
 namespace thaw {
 namespace {
 
-/// Radius (m) of the corners of a cube with the piece's moments of inertia.
+/// Returns the distance (m) of the corners from the centre of a cube with the piece's moments of inertia.
 double extentOf(const Pieces& p, std::size_t k) {
   return std::sqrt(1.5 * (p.inertia[k].x + p.inertia[k].y + p.inertia[k].z) / p.mass[k]);
 }
 
 bool onlyWeighs(const RigidView& v, std::size_t k) {
   const Pieces& p = v.pieces;
-  for (int a = 0; a < 3; a++)  // the expression of sumPieceForces, for equal bits
+  for (int a = 0; a < 3; a++)  // same expression as in sumPieceForces, for equal bits
     if (p.force[k][a] != 0 + p.mass[k] * v.scene.domain.gravity[a]) return false;
   return p.torque[k] == Vec3d{};
 }
@@ -33,8 +33,8 @@ void wake(Pieces& p, std::size_t k) {
   p.restTime[k] = 0;
 }
 
-/// Returns true if a piece is slow, has no load but weight and contacts, and keeps its velocity in the next
-/// step.
+/// Returns true if a piece is slow, only weight and contacts load it, and its velocity hardly changes in the
+/// next step.
 bool isAtRest(const RigidView& v, std::size_t k, const PieceMotion& after, double dt) {
   const Pieces& p = v.pieces;
   const Numerics& n = v.scene.numerics;
@@ -42,14 +42,14 @@ bool isAtRest(const RigidView& v, std::size_t k, const PieceMotion& after, doubl
   const double slow = n.sleepSpeed, g = length(v.scene.domain.gravity), extent = extentOf(p, k),
                // as for elastic solids: a falling piece is not at rest
       weak = std::min(slow / n.sleepAfter, g > 0 ? 0.5 * g : never);
-  // The velocity of the last drift: the second half kick followed it.
+  // Velocity during the last drift, which was before the second half kick.
   const Vec3d before = (p.momentum[k] - p.force[k] * (0.5 * v.clock.stepDt)) / p.mass[k],
               spin = spinOf(p, k, p.angularMomentum[k]);
   const double change = length(after.velocity - before) + extent * length(after.spin - spin);
   return length(after.velocity) + extent * length(after.spin) < slow && change < weak * dt;
 }
 
-/// Sums a number for each row over all ranks with the row.
+/// Sums one number per row over all ranks that have the row.
 void sumOfRows(const RigidView& v, std::vector<std::int64_t>& words, Reducer& all) {
   RankPieceExchange exchange = exchangeOf(v.pieces, v.work, all);
   exchange.sum(words, 1);
@@ -93,7 +93,7 @@ bool wakeTouched(const RigidView& v, std::span<const FoundContact> contacts, Red
   for (const FoundContact& f : contacts) {
     const RigidContact& c = f.contact;
     if (c.b == noPiece) {
-      touched[c.a] += p.sleeping[c.a];  // sleeping pieces have contacts with moving obstacles only
+      touched[c.a] += p.sleeping[c.a];  // sleeping pieces have contacts only with moving obstacles
       continue;
     }
     if (p.sleeping[c.a] && moves(c.b)) touched[c.a]++;
@@ -144,7 +144,7 @@ void updateRest(const RigidView& v, const RestInput& x, Reducer& all) {
 void balanceSleeping(Pieces& p, double dt) {
   for (std::size_t k = 0; k < p.owned; k++) {
     if (!p.sleeping[k]) continue;
-    // in the order in which the drift adds them, so the sum is exactly zero
+    // in the order of the drift, so the sum is exactly zero
     Vec3d momentum = p.momentum[k], spin = p.angularMomentum[k];
     momentum += p.pressureImpulse[k];
     spin += p.pressureTwist[k];

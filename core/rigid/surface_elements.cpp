@@ -19,7 +19,7 @@ void setElement(Continuum& p, std::size_t i, const SurfaceElement& e) {
   p.faceRadius[i] = e.radius;
 }
 
-/// Particles of the piece around a particle, before and after a change.
+/// Particles of a piece around one of its particles, before and after a change.
 struct Surroundings {
   std::vector<Vec3d> now;  ///< m, relative positions
   bool changed = false;
@@ -42,7 +42,7 @@ void look(const RigidView& v, std::size_t i, std::span<const RowSpan> ranges, Su
     }
 }
 
-/// Returns the image of x (m) across periodic sides nearest to the middle of a shape.
+/// Returns the periodic image of x (m) that is nearest to the centre of a shape.
 Vec3d imageIn(const SignedDistance& shape, const Domain& d, Vec3d x) {
   const auto box = shape.bounds();
   for (int a = 0; a < 3; a++) {

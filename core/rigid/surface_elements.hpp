@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Surface elements of the particles of pieces, for their contacts.
+// Surface elements of the particles of pieces, for contacts.
 #pragma once
 #include <memory>
 #include <span>
@@ -14,13 +14,13 @@ namespace thaw {
 void elementsOfShapes(const Scene& scene, std::span<const std::shared_ptr<const SignedDistance>> bodyShapes,
                       Continuum& particles);
 
-/// Turns a normal to the axes of the domain (former piece) or of the body frame (orientation of the new
-/// piece).
+/// Rotates the surface element of a particle: from a former piece's body frame to the axes of the domain, or
+/// from these axes to the body frame of the new piece.
 void turnElement(Continuum& particles, std::size_t row, const Quat& rotation);
 
-/// Sets the elements of owned particles beside which particles of their piece appeared or vanished. They
-/// follow from the particles around, along the axes of the domain. Requires: Continuum::piece and setLabel
-/// of the former and new pieces, with ghosts.
+/// Sets the elements of owned particles near which particles of their piece appeared or vanished. The
+/// elements follow from the surrounding particles, along the axes of the domain. Requires: Continuum::piece
+/// and setLabel of the former and new pieces, with ghosts.
 void renewElements(const RigidView& view);
 
 }  // namespace thaw

@@ -22,8 +22,8 @@
 namespace thaw {
 namespace {
 
-/// Moment of inertia (kg m^2) of a particle about its own centre; 0 in elastic solids, whose particles have
-/// no rotation of their own.
+/// Returns the moment of inertia (kg m^2) of a particle about its own centre. It is 0 in elastic solids,
+/// whose particles do not rotate.
 double inertiaOf(const Continuum& p, const Scene& scene, std::size_t i) {
   return piecesAreElastic(p) ? 0 : ownInertia(p.mass[i], scene.spacing);
 }
@@ -32,7 +32,7 @@ double inertiaOf(const Continuum& p, const Scene& scene, std::size_t i) {
 struct NewPieces {
   std::vector<std::uint64_t> ids;
   std::vector<std::uint64_t> count;
-  std::vector<Vec3d> reference;  ///< m, in or near each
+  std::vector<Vec3d> reference;  ///< m, a point in or near each piece
   std::vector<Vec3d> centre;     ///< m
   std::vector<double> mass;      ///< kg
 
@@ -45,14 +45,15 @@ struct NewPieces {
 /// Motion of the former piece of a particle.
 struct FormerMotion {
   Vec3d spin{}, turning{};  ///< rad/s, rad/s^2
-  Vec3d spinChange{};       ///< rad/s, by the pressure at the start of the next step
-  double contactLoad = 0;   ///< N, of the piece, over the number of its particles
+  Vec3d spinChange{};       ///< rad/s, due to pressure at the start of the next step
+  double contactLoad = 0;   ///< N, contact load of the piece over the number of its particles
 };
 
-/// Angular momentum of particles that left their pieces, about their own centres. Their pieces keep it.
+/// Angular momentum of particles that left their pieces, about the particles' own centres. It stays with the
+/// pieces.
 struct LeftSpins {
   std::vector<std::uint64_t> ids;  ///< former pieces, ascending
-  std::vector<Vec3d> share;        ///< kg m^2/s, for each particle that remains
+  std::vector<Vec3d> share;        ///< kg m^2/s, for each remaining particle
 
   Vec3d of(std::uint64_t piece) const {
     const auto at = std::lower_bound(ids.begin(), ids.end(), piece);
@@ -69,9 +70,9 @@ FormerMotion formerMotion(const RigidView& v, std::size_t i) {
           v.pieces.contactLoad[row] / static_cast<double>(v.pieces.count[row])};
 }
 
-/// Returns the pieces whose sets of particles changed, and those that particles left. A set changed if its
-/// number of particles or its sum of hashes of ids did. Both are compared with those of the former piece of
-/// the same id.
+/// Returns the pieces whose sets of particles changed, and the pieces that particles left. A set has changed
+/// if its number of particles or the sum of the hashes of their ids differs from the former piece of the same
+/// id.
 NewPieces findChanged(const RigidView& v, Reducer& all) {
   const Continuum& p = v.particles;
   std::vector<std::uint64_t> ids;
@@ -115,7 +116,7 @@ LeftSpins leftSpins(const RigidView& v, Reducer& all) {
     if (p.piece[i] != notRigid) left.ids.push_back(p.piece[i]);
   std::sort(left.ids.begin(), left.ids.end());
   left.ids.erase(std::unique(left.ids.begin(), left.ids.end()), left.ids.end());
-  constexpr std::size_t perPiece = 2;  // moments of particles that left, number of those that remain
+  constexpr std::size_t perPiece = 2;  // moments of particles that left, number of remaining particles
   std::vector<ExactSum> sums(perPiece * left.ids.size());
   for (std::size_t i = 0; i < p.owned; i++) {
     if (p.piece[i] == notRigid) continue;
@@ -144,13 +145,13 @@ template<class Use> void eachChanged(const RigidView& v, const NewPieces& n, Use
   }
 }
 
-/// Position (m) of a particle together with its piece.
+/// Returns the position (m) of a particle in the same periodic image as its piece.
 Vec3d placeIn(const RigidView& v, const NewPieces& n, std::size_t i, std::size_t k) {
   return n.reference[k] + minimumImage(v.particles.position[i] - n.reference[k], periodsOf(v.grid));
 }
 
-/// Returns true if a particle may be as far from the reference of its piece as half of a periodic domain. A
-/// connected piece that reaches further has such particles.
+/// Returns true if the distance of a particle from its piece's reference may be half of a periodic domain.
+/// Any connected piece of larger extent has such particles.
 bool isFar(const RigidView& v, const Vec3d& place, const Vec3d& reference) {
   for (int a = 0; a < 3; a++)
     if (v.grid.periodic[a] &&
@@ -166,8 +167,8 @@ std::size_t sectorOf(const CellGrid& g, const Vec3d& x, int a) {
   return static_cast<std::size_t>(std::clamp(part, 0.0, static_cast<double>(sectors - 1)));
 }
 
-/// Returns the middle (m) of the part of a periodic axis outside of the widest gap. count: particles of each
-/// sector. Returns nothing without a gap of at least `least` (m).
+/// Returns the middle (m) of the occupied part of a periodic axis, outside of the widest gap. count:
+/// number of particles in each sector. Returns nothing without a gap of at least `least` (m).
 std::optional<double> middleOf(const CellGrid& g, int a, std::span<const std::int64_t> count, double least) {
   std::size_t widest = 0, end = 0;  // number of empty sectors, and the first sector after them
   for (std::size_t run = 0, s = 0; s < 2 * sectors; s++) {
@@ -182,7 +183,7 @@ std::optional<double> middleOf(const CellGrid& g, int a, std::span<const std::in
   return g.origin[a] + g.period[a] * (middle - std::floor(middle));
 }
 
-/// Returns the rows of changed pieces that have a far particle on some rank.
+/// Returns the rows of changed pieces that have a far particle on any rank.
 std::vector<std::size_t> longPieces(const RigidView& v, const NewPieces& n, PieceExchange& exchange) {
   std::vector<std::int64_t> far(n.ids.size(), 0);
   eachChanged(v, n, [&](std::size_t i, std::size_t k) {
@@ -195,7 +196,7 @@ std::vector<std::size_t> longPieces(const RigidView& v, const NewPieces& n, Piec
   return rows;
 }
 
-/// Moves the references of pieces that reach across half of a periodic domain to their middles.
+/// Moves the reference of each piece that extends over half of a periodic domain to the piece's middle.
 void centreReferences(const RigidView& v, NewPieces& n, PieceExchange& exchange, Reducer& all) {
   const std::vector<std::size_t> rows = longPieces(v, n, exchange);
   double any = rows.empty() ? 0 : 1;
@@ -223,8 +224,8 @@ void centreReferences(const RigidView& v, NewPieces& n, PieceExchange& exchange,
     }
 }
 
-/// Sets the reference of each piece, of which periodic images are taken: the particle of the smallest id, or
-/// the middle of a long piece.
+/// Sets the reference of each piece. Particles are at the periodic images nearest to it. It is the particle
+/// with the smallest id, or the middle of a long piece.
 void findReferences(const RigidView& v, NewPieces& n, PieceExchange& exchange, Reducer& all) {
   std::vector<std::int64_t> words(3 * n.ids.size(), 0);
   eachChanged(v, n, [&](std::size_t i, std::size_t k) {
@@ -261,14 +262,15 @@ constexpr std::size_t motionSums = 27;  // inertia 6, momentum 3, angular moment
                                         // kinetic energy, clamped particles, impulse of pressure 3, its
                                         // angular impulse 3, contact load
 
-/// Motion of a particle about its own centre: that of its former piece, or of its body at the start.
+/// Returns the rotation of a particle about its own centre, from its former piece, or from its body at the
+/// start.
 FormerMotion ownMotion(const RigidView& v, std::size_t i, bool atStart) {
   if (!atStart) return formerMotion(v, i);
   const std::size_t body = v.particles.body[i];
   return body < v.scene.bodies.size() ? FormerMotion{v.scene.bodies[body].spin, {}, {}, 0} : FormerMotion{};
 }
 
-/// Adds a particle to the sums of its piece. extra: angular momentum (kg m^2/s) that it brings along.
+/// Adds a particle to the sums of its piece. extra: additional angular momentum (kg m^2/s) of the particle.
 void addMotion(const RigidView& v, std::size_t i, const Vec3d& lever, const FormerMotion& former,
                const Vec3d& extra, ExactSum* sums) {
   const Continuum& p = v.particles;
@@ -317,7 +319,7 @@ void setRow(Pieces& p, std::size_t row, const NewPieces& n, std::size_t k, const
       {sums[0].value(), sums[1].value(), sums[2].value(), sums[3].value(), sums[4].value(), sums[5].value()});
   const Vec3d x = normalized(e.vector[0]), y = normalized(e.vector[1] - x * dot(x, e.vector[1]));
   p.orientation[row] = quatOf(x, y, cross(x, y));
-  // Elastic particles in a row have no moment about it.
+  // A straight row of elastic particles has no moment of inertia about its axis.
   const double least = 1e-9 * std::max({e.value[0], e.value[1], e.value[2]});
   p.inertia[row] = {std::max(e.value[0], least), std::max(e.value[1], least), std::max(e.value[2], least)};
   p.momentum[row] = p.fixed[row] ? Vec3d{} : vectorOf(sums + 6);
@@ -328,7 +330,7 @@ void setRow(Pieces& p, std::size_t row, const NewPieces& n, std::size_t k, const
   p.pressureTwist[row] = p.fixed[row] ? Vec3d{} : vectorOf(sums + 23);
 }
 
-/// Records the kinetic energy that a piece lost as it was made, and the impulse of its clamps.
+/// Records the kinetic energy lost when a piece forms, and the impulse of its clamps.
 void recordJoining(const RigidView& v, std::size_t row, const ExactSum* sums) {
   Pieces& p = v.pieces;
   const Vec3d spin = spinOf(p, row, p.angularMomentum[row]);
@@ -339,7 +341,7 @@ void recordJoining(const RigidView& v, std::size_t row, const ExactSum* sums) {
   for (int a = 0; a < 3 && p.fixed[row]; a++) v.ledger.wallImpulse[a].add(-sums[6 + a].value());
 }
 
-/// Records the energy of the own rotation that particles of pieces lose when they melt.
+/// Records the energy of particles' own rotation, which is lost when particles of pieces melt.
 void recordMelted(const RigidView& v) {
   const Continuum& p = v.particles;
   for (std::size_t i = 0; i < p.owned; i++) {
@@ -349,7 +351,7 @@ void recordMelted(const RigidView& v) {
   }
 }
 
-/// Turns the surface elements of changed pieces from their former body frames to the axes of the domain.
+/// Rotates the surface elements of changed pieces from their former body frames to the axes of the domain.
 void unturnElements(const RigidView& v, const NewPieces& n) {
   Continuum& p = v.particles;
   eachChanged(v, n, [&](std::size_t i, std::size_t) {
@@ -358,7 +360,7 @@ void unturnElements(const RigidView& v, const NewPieces& n) {
   });
 }
 
-/// Sets place, velocity and constraint of the particles of new pieces.
+/// Sets position, velocity and constraint of the particles of new pieces.
 void placeParticles(const RigidView& v, const NewPieces& n, std::span<const std::uint32_t> rows) {
   Continuum& p = v.particles;
   eachChanged(v, n, [&](std::size_t i, std::size_t k) {
@@ -373,14 +375,14 @@ void placeParticles(const RigidView& v, const NewPieces& n, std::span<const std:
     if (!p.clamped.active) return;
     if (v.pieces.fixed[row] && p.clamped[i] == 0) {
       p.clamped[i] = fixedByPiece;
-      for (int a = 0; a < 3; a++)  // the clamps balance its force in the next half kick, too
+      for (int a = 0; a < 3; a++)  // the clamps also balance its force in the next half kick
         v.ledger.wallForce[a].add(-p.mass[i] * p.acceleration[i][a]);
     }
     if (!v.pieces.fixed[row] && p.clamped[i] == fixedByPiece) p.clamped[i] = 0;
   });
 }
 
-/// Gives particles their new pieces. Those that melted are released.
+/// Assigns particles to their new pieces. Molten particles are released.
 void adoptLabels(Continuum& p) {
   for (std::size_t i = 0; i < p.owned; i++) {
     if (p.setLabel[i] == notRigid && p.clamped.active && p.clamped[i] == fixedByPiece) p.clamped[i] = 0;
@@ -421,7 +423,8 @@ void remakePieces(const RigidView& v, const Halos& halos, bool atStart) {
       renewElements(v);
     }
   }
-  // New rows replace former ones of the same id, which the motion of particles no longer needs.
+  // New rows replace former rows of the same id, because these are no longer needed for the motion of
+  // particles.
   Pieces& p = v.pieces;
   std::vector<std::uint32_t> rows(n.ids.size());
   std::size_t end = p.owned;

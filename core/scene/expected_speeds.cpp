@@ -14,7 +14,7 @@ std::string numberText(const char* format, double value) {
   return digits;
 }
 
-/// Largest height of fall (m): at most the height of the domain.
+/// Returns the largest height of fall (m), at most the height of the domain.
 double largestFall(const Scene& s) {
   const double g = length(s.domain.gravity);
   if (!(g > 0)) return 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Speeds to expect in a scene. Contact stiffness and the automatic sound speed follow from them.
+// Expected speeds in a scene. Contact stiffness and the automatic sound speed follow from these speeds.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,8 @@
 
 namespace thaw {
 
-/// Fastest translation between two keyframes (m/s); 0 without keyframes. Rotation is ignored.
+/// Returns the largest speed of translation between two keyframes (m/s); 0 without keyframes. Rotation is
+/// ignored.
 inline double fastestMove(const std::vector<Keyframe>& motion) {
   double fastest = 0;
   for (std::size_t k = 1; k < motion.size(); k++)
@@ -25,13 +26,14 @@ struct FlowSpeed {
   std::string why;
 };
 
-/// Returns the speed from which the automatic sound speed is derived. A flow of speed v changes the density
-/// by v^2 / c^2, a column of height H by g H / c^2 (M94). v^2 = u^2 + 2 g h. u is the largest speed of
-/// bodies, emitters and obstacles, h the largest fall. A column of bodies is no higher than the fall, so v
-/// covers it. A column that an emitter fills may be higher. Buoyancy adds the square of its speed.
+/// Returns the speed from which the automatic sound speed is derived. At sound speed c, a flow of speed v
+/// changes the relative density by v^2 / c^2, and a column of height H by g H / c^2 (M94). v^2 = u^2 + 2 g h,
+/// where u is the largest speed of bodies, emitters and obstacles, and h the largest height of fall. A
+/// column of bodies is not higher than h, so v covers it. A column filled by an emitter may be higher.
+/// Buoyancy adds the square of buoyantSpeed.
 FlowSpeed expectedFlow(const Scene& scene);
 
-/// Speed of a fall from rest through the whole domain (m/s).
+/// Returns the speed (m/s) after a fall from rest through the whole domain.
 inline double fallSpeed(const Domain& d) {
   double height = 0;  // height times gravity
   for (int a = 0; a < 3; a++) height += std::abs(d.gravity[a]) * (d.max[a] - d.min[a]);

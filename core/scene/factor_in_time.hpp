@@ -6,7 +6,8 @@
 
 namespace thaw {
 
-/// A piecewise linear factor: points (s, 1), constant before the first and after the last; 1 if empty.
+/// A piecewise linear factor: points (s, 1), constant before the first and after the last. Without points,
+/// the factor is 1.
 struct FactorInTime {
   std::vector<std::pair<double, double>> points;
   double at(double time) const;

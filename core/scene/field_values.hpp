@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bounds of initial values. Beyond them energies and radiative heat would overflow.
+// Bounds of initial values. Larger values would make energies and radiative heat overflow.
 #pragma once
 #include <cmath>
 
@@ -8,7 +8,7 @@ namespace thaw {
 inline constexpr double fastestStart = 299792458;  // m/s, speed of light
 inline constexpr double hottestStart = 1e32;       // K
 
-/// False for NaN.
+/// Returns true for a valid component of an initial velocity (m/s); false for NaN.
 inline bool isStartSpeed(double v) { return std::abs(v) <= fastestStart; }
 inline bool isStartTemperature(double T) { return T > 0 && T <= hottestStart; }
 

@@ -6,7 +6,7 @@
 
 namespace thaw {
 
-/// Value by temperature: (K, value), ascending; one entry: a constant.
+/// Values by temperature: (K, value), ascending in temperature. One entry is a constant.
 using TemperatureTable = std::vector<std::pair<double, double>>;
 
 enum class FlowLaw { Newtonian, Bingham, HerschelBulkley, PowerLaw, Carreau };
@@ -18,8 +18,9 @@ struct FlowLawSettings {
   double exponent = 1;           // 1, n
   double infiniteViscosity = 0;  // Pa s, Carreau: at infinite shear rate
   double relaxationTime = 0;     // s, Carreau
-  double leastRate = 0;          // 1/s, regularisation of the yield stress; 0: chosen from the scene
-  double largestViscosity = 0;   // Pa s, limit of the viscosity; 0: none
+  double leastRate = 0;          // 1/s, shear rate that regularises the yield stress; 0: chosen from the
+                                 // scene
+  double largestViscosity = 0;   // Pa s, upper limit of the viscosity; 0: none
 };
 
 }  // namespace thaw

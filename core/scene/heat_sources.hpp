@@ -13,15 +13,15 @@ namespace thaw {
 
 enum class LampKind { Point, Direction, Area };
 
-/// Light that bodies absorb by their absorptivity where nothing shades them.
+/// Source of light. Bodies absorb it with their absorptivity where they are not in shadow.
 struct Lamp {
   std::string name;
   SourcePlace where;
   LampKind kind = LampKind::Point;
   double power = 0;                 // W; Point, Area
-  double irradiance = 0;            // W/m^2 across its direction; Direction
+  double irradiance = 0;            // W/m^2 on a plane normal to the direction; Direction
   Vec3d position{};                 // m; Point, Area: the centre
-  Vec3d direction{0, 0, -1};        // 1, of the light
+  Vec3d direction{0, 0, -1};        // 1, direction of the light; any length
   double width = 0.1, depth = 0.1;  // m; Area
   std::vector<Keyframe> motion;
   double start = 0, end = never;  // s
@@ -33,7 +33,7 @@ struct Laser {
   SourcePlace where;
   double power = 0;            // W
   double radius = 1e-3;        // m, at 1/e^2 of the largest intensity
-  Vec3d position{};            // m, a point of its axis
+  Vec3d position{};            // m, point on its axis
   Vec3d direction{0, 0, -1};   // 1
   double absorptionDepth = 0;  // m; 0: at the surface
   std::vector<Keyframe> motion;

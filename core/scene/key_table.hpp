@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Declaration of the keys of a table in a scene file, by terms of the model (core/terms/model_part.hpp).
-// io/scene reads, documents, checks and records keys from one declaration.
+// Declaration of the keys of a table in a scene file. Terms of the model declare them
+// (core/terms/model_part.hpp). io/scene uses one declaration to read, document, check and record keys.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -16,7 +16,7 @@
 
 namespace thaw {
 
-/// Range of a key. NaN is never in it. Infinity is only allowed as the word "never".
+/// Range of a key. NaN is never in the range. Infinity is only allowed as the word "never".
 struct Range {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   bool openLow = false, openHigh = false;  ///< the end is excluded
@@ -36,7 +36,7 @@ inline Range stepFactor() { return {0, 2, true, false, false}; }
 inline Range orNever(Range r) { return r.orNever = true, r; }
 inline Range orOff(Range r) { return r.orOff = true, r; }
 
-/// Effect of a change of a key between a checkpoint and the run that continues it.
+/// Effect of a change of a key between a checkpoint and the run that resumes from it.
 enum class Restart {
   State,        ///< refused: particles, frames or the ledger depend on it
   Coefficient,  ///< reported: forces and energies jump
@@ -47,7 +47,7 @@ enum class Restart {
 
 struct Blend;
 
-/// Value of the liquid if only one quantity is given.
+/// Liquid value if only one quantity is given: the same, or unchanged.
 enum class LiquidValue { Same, Unchanged };
 
 /// A value for solid and liquid: one quantity, or { solid = ..., liquid = ... }.
@@ -65,26 +65,28 @@ struct QuantityKey {
   const char* about;
 };
 
-/// The keys of a table. Each function of a key reads it into its value if the scene has the key; else the
-/// value stays, and is described as the default.
+/// The keys of a table. Each function for a key reads its value from the scene. If the scene lacks the key,
+/// the value is unchanged, and is documented as the default.
 class KeyTable {
  public:
   virtual ~KeyTable() = default;
   virtual bool reading() const = 0;    ///< the table is from a scene, and its checks apply
-  virtual bool recording() const = 0;  ///< the values are those of a scene, for a restart
+  virtual bool recording() const = 0;  ///< the values of a scene are recorded, for a restart
   virtual bool has(const char* key) const = 0;
-  virtual bool refused(const char* key) const = 0;        ///< an error concerns it
-  virtual std::string textOf(const char* key) const = 0;  ///< a text value of the scene, or ""
-  /// Adds an error at a key, unless it, or one of `others` on which the check depends, was refused before.
+  virtual bool refused(const char* key) const = 0;        ///< the key has an error
+  virtual std::string textOf(const char* key) const = 0;  ///< text value in the scene, or ""
+  /// Adds an error at a key, unless the key or one of `others`, on which the check depends, was already
+  /// refused.
   virtual void fail(const char* key, const std::string& text,
                     std::initializer_list<const char*> others = {}) = 0;
-  /// Sets the effect of changes at a restart, for the keys that follow.
+  /// Sets the effect of changes at a restart for all later keys.
   virtual void restart(Restart effect) = 0;
-  virtual KeyTable& as(Restart effect) = 0;  ///< sets it for the next key alone
+  virtual KeyTable& as(Restart effect) = 0;  ///< sets the effect for the next key only
   /// Describes the default of the next key in words.
   virtual KeyTable& defaultAs(const char* words) = 0;
-  virtual KeyTable& byScene() = 0;  ///< the default follows from the scene
-  virtual KeyTable& needed() = 0;   ///< it has no default; the caller fails where the key is missing
+  virtual KeyTable& byScene() = 0;  ///< the next key's default follows from the scene
+  virtual KeyTable& needed() = 0;   ///< the next key has no default; the caller adds an error if it is
+                                    ///< missing
   virtual void number(const char* key, double& value, const char* unit, const Range& range,
                       const char* about) = 0;
   virtual void whole(const char* key, std::int64_t& value, std::int64_t low, std::int64_t high,
@@ -96,10 +98,10 @@ class KeyTable {
                              const Range& range, const char* about) = 0;
   /// A value for solid and liquid, or a table of numbers > 0 by temperature.
   virtual void byTemperature(const BlendKey& key, Blend& value, TemperatureTable& table) = 0;
-  /// The same for a number without default, which is a table with one entry.
+  /// The same for a quantity without default. A number becomes a table with one entry.
   virtual void byTemperature(const QuantityKey& key, TemperatureTable& table) = 0;
   virtual void vector(const char* key, Vec3d& value, const char* unit, const char* about) = 0;
-  /// One of several words, as its number.
+  /// One of several words. The value is its index in `words`.
   virtual void choice(const char* key, int& value, const std::vector<std::string>& words,
                       const char* about) = 0;
   template<class Enum>
@@ -108,16 +110,16 @@ class KeyTable {
     choice(key, number, words, about);
     value = static_cast<Enum>(number);
   }
-  /// A table within this one. Its keys are recorded only if it is `there`.
+  /// A table within this one. Its keys are recorded only if `there` is true.
   virtual void table(const char* key, const char* about, bool there,
                      const std::function<void(KeyTable&)>& read) = 0;
-  /// The key `name`. Without it the element has the title of its table and its number.
+  /// The key `name`. The default name is the title of the table with the element's number.
   virtual void name(std::string& value) = 0;
   /// The keys of a shape and its `place`.
   virtual void shape(Shape& value) = 0;
   /// The keyframes `motion`.
   virtual void motion(std::vector<Keyframe>& value, const char* about) = 0;
-  /// The key `material`, as an index into Scene::materials that is known after reading; -1: all.
+  /// The key `material`. Its value is an index into Scene::materials, set after all tables are read; -1: all.
   virtual void material(int& value, const char* about) = 0;
 };
 

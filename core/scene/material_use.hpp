@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Materials that a scene uses, and their needs.
+// Tests of the materials that a scene uses.
 #pragma once
 #include <algorithm>
 

@@ -12,7 +12,7 @@ namespace thaw {
 struct Modules {
   bool fluid = false;           ///< some particle is or can become liquid: density, pressure, viscosity
   bool continuity = false;      ///< the density of liquids follows from the continuity equation
-  bool corrected = false;       ///< with corrected gradients
+  bool corrected = false;       ///< the continuity equation uses corrected gradients
   bool shifting = false;        ///< liquid particles shift towards lower concentration
   bool incompressible = false;  ///< pressure from the solver of core/flow/incompressible/ instead of the
                                 ///< equation of state
@@ -32,8 +32,9 @@ struct Modules {
   bool plastic = false;      ///< a material yields
   bool fracture = false;     ///< bonds of a material break
   bool freezing = false;     ///< liquid can solidify at run time: bonds store a reference at both ends
-  bool welding = false;      ///< separate solids of weldable materials can touch: bonds as with freezing
-  bool contact = false;      ///< unbonded solids can touch: several solid bodies, pieces, freezing
+  bool welding = false;      ///< separate solids of weldable materials can touch; bonds store a reference at
+                             ///< both ends, as with freezing
+  bool contact = false;      ///< unbonded solids can touch: several solid bodies, pieces of one, or freezing
   bool bodyContact = false;  ///< elastic solids of different bodies can touch (core/contact/body_contact.hpp)
   bool rareContact = false;  ///< contact limits the step only while it acts: solids have substeps, and only
                              ///< frozen pieces of one body can touch
@@ -47,14 +48,14 @@ struct Modules {
   bool evaporation = false;         ///< liquids lose mass at free surfaces
   bool mushDrag = false;            ///< drag between solidus and liquidus
   bool contactConductance = false;  ///< heat passes between bodies with a given conductance
-  bool rigidify = false;            ///< elastic solids move as rigid pieces where they do not deform
+  bool rigidify = false;            ///< parts of elastic solids that do not deform move as rigid pieces
   bool surfaceHeat = false;         ///< convection or radiation to the ambient
   bool sleep = false;               ///< solids at rest sleep: their sums are skipped (core/sleep/)
   bool pieceSleep = false;          ///< rigid pieces at rest sleep (core/rigid/sleeping_pieces.hpp)
   bool rollingFriction = false;     ///< rigid pieces have rolling friction (core/rigid/contact/rolling.hpp)
   bool breaking = false;            ///< rigid pieces break in impacts (core/rigid/breaking/)
   bool pieceWelding = false;        ///< hot rigid pieces that touch join (core/rigid/welding/)
-  bool neighbours = false;          ///< some sum over unbonded neighbours
+  bool neighbours = false;          ///< some term sums over unbonded neighbours
   bool surface = false;             ///< surfels on the continuum bodies
   bool emitters = false;
   bool oriented = false;         ///< oriented bodies (core/oriented/)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Initial values as functions of position, made by io/scene/text/expression.hpp.
+// Initial values as functions of position, created by io/scene/text/expression.hpp.
 #pragma once
 #include <functional>
 #include <string>
@@ -15,13 +15,12 @@ struct PositionField {
   std::string text;  // source text
   std::string key;   // path of its key, for messages
   SourcePlace where;
-  std::function<double(const Vec3d&)> value;  // empty: no field; not safe to call from several threads at
-                                              // once
+  std::function<double(const Vec3d&)> value;  // empty: no field. Not thread-safe
   explicit operator bool() const { return static_cast<bool>(value); }
 };
 
-/// v(x) = component(x) + gradient (x - centre), added to a uniform velocity. centre: middle of the bounding
-/// box of a body, or of the opening of an emitter.
+/// Velocity (m/s) v(x) = component(x) + gradient (x - centre), added to a uniform velocity. centre: m,
+/// centre of a body's bounding box, or of an emitter's opening.
 struct VelocityField {
   PositionField component[3];
   Mat3d gradient{};  // 1/s, [i][j]: d v_i / d x_j
@@ -30,10 +29,10 @@ struct VelocityField {
   bool given() const { return linear || component[0] || component[1] || component[2]; }
 };
 
-/// Velocity of a field at x (m/s); x and centre (m), see VelocityField.
+/// Returns the velocity (m/s) of a field at x (m). centre: m, see VelocityField.
 Vec3d velocityOf(const VelocityField& field, const Vec3d& centre, const Vec3d& x);
 
-/// Returns the start of an error message about a bad field value at x (m).
+/// Returns the first part of an error message about a bad field value at x (m).
 std::string badValue(const PositionField& field, double value, const Vec3d& x);
 
 }  // namespace thaw

@@ -12,10 +12,10 @@ void applyQuality(Quality quality, Numerics& n) {
       break;
     case Quality::Standard: break;  // the defaults of Numerics
     case Quality::Reference:
-      n.precision = Precision::Double;      // rounding drives spurious currents of drops and loss of angular
-                                            // momentum
-      n.density = DensityForm::Continuity;  // reduces the pressure error at rest to a quarter and that of a
-                                            // dam break to 0.6; not with emitters (check_scene.cpp)
+      n.precision = Precision::Double;      // rounding errors cause spurious currents in drops, and loss of
+                                            // angular momentum
+      n.density = DensityForm::Continuity;  // the pressure error is a quarter at rest, and 0.6 times as large
+                                            // in a dam break; not with emitters (check_scene.cpp)
       n.cflSound = 0.2;  // closes the energy budget within 1 % for pouring and splashing; 0.4 within 2 %
       break;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene in SI units, as plain structs. io/scene reads them from TOML; its table of keys gives every
-// member's unit, range, default and documentation. Nothing here depends on MPI or on a file format.
+// The scene in SI units, as plain structs. io/scene reads the scene from TOML. Its table of keys gives the
+// unit, range, default and documentation of every member. Nothing here depends on MPI or on a file format.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -32,25 +32,26 @@ struct Blend {
 struct Material {
   std::string name;
   SourcePlace where;
-  double density = 1000;             // kg/m^3, at rest; of its liquid phase, where the two differ
-  double solidDensity = 0;           // kg/m^3, of its solid phase at rest; 0: density
+  double density = 1000;             // kg/m^3, at rest; of the liquid phase, if the phases differ
+  double solidDensity = 0;           // kg/m^3, of the solid phase at rest; 0: `density`
   std::uint32_t colour = 0xdfe6ebu;  // colour of its surface, red | green << 8 | blue << 16
   // liquid
   Blend viscosity;                                        // Pa s
   std::vector<std::pair<double, double>> viscosityTable;  // (K, Pa s), interpolated logarithmically; replaces
                                                           // viscosity if not empty
   double surfaceTension = 0;                              // N/m
-  TemperatureTable surfaceTensionTable;                   // N/m, linear; replaces surfaceTension if not empty
+  TemperatureTable surfaceTensionTable;                   // (K, N/m), interpolated linearly; replaces
+                                                          // surfaceTension if not empty
   double contactAngle = std::numbers::pi / 2;             // rad, of its liquid at walls
   double soundSpeed = 0;  // m/s, in the equation of state; 0: ten times the largest expected speed of the
                           // scene
   double xsph = 0;        // 1, velocity smoothing (XSPH)
   double artificialViscosity = 0;  // 1, Monaghan's alpha
-  double bulkDamping = 0;          // 1, volume viscosity over density, speed of sound and support radius
+  double bulkDamping = 0;          // 1, volume viscosity over (density * speed of sound * support radius)
   FlowLawSettings flowLaw;         // replaces viscosity if not Newtonian
   double expansion = 0;            // 1/K, volume expansion of the liquid, for its buoyancy
-  TemperatureTable densityTable;   // kg/m^3, of the liquid, linear, for its buoyancy; replaces expansion if
-                                   // not empty
+  TemperatureTable densityTable;   // (K, kg/m^3), of the liquid, interpolated linearly, for its buoyancy;
+                                   // replaces expansion if not empty
   double expansionFrom = 0;        // K, temperature of `density`; 0: the ambient temperature
   Blend young;                     // Pa; a solid value > 0 allows the material to be solid
   Blend poisson{0.3, 0.3};         // 1
@@ -63,34 +64,36 @@ struct Material {
   double maxPlasticStrain = never;  // 1, gamma_max: norm of the logarithmic plastic strain
   double volumeStiffness = 0;       // Pa, k_v of the volume force (MKN04)
   double hourglass = 1.25;          // 1, alpha of the penalty on zero-energy modes (G15); 1.25 also
-                                    // compensates the error of short waves (elastic.hpp)
+                                    // compensates for the error of short waves (elastic.hpp)
   double breakStretch = never;      // 1, stretch above which a bond breaks
   double strength = never;          // Pa, tensile stress at which rigid pieces break; never: they do not
-  double impactModulus = 0;         // Pa, Young's modulus of rigid pieces that break, for their impacts
+                                    // break
+  double impactModulus = 0;         // Pa, Young's modulus for impacts of rigid pieces that break
   double damping = 0;               // 1/s, decay rate of velocity differences between bonded particles
   bool weld = false;                // solids of this material weld where they touch
-  double weldTemperature = never;   // K, above which touching rigid pieces join; never: they do not
-  double weldTime = 0;              // s, for which they must touch
+  double weldTemperature = never;   // K, temperature above which touching rigid pieces join; never: they do
+                                    // not join
+  double weldTime = 0;              // s, contact time after which they join
   double friction = 0.3;            // 1, Coulomb, between separate solids
-  double rollingFriction = 0;       // m, largest moment over the normal force at a contact of rigid pieces
+  double rollingFriction = 0;       // m, maximum moment over normal force at a contact of rigid pieces
   double restitution = 0.5;         // 1, of contacts between separate solids
   // heat
   Blend conductivity{0, 0};                  // W/(m K)
   Blend heatCapacity{1000, 1000};            // J/(kg K)
   double latentHeat = 0;                     // J/kg
   double solidus = never, liquidus = never;  // K; never: does not melt
-  double hysteresis = 0;  // 1, required liquid fraction: liquid freezes below it, solid melts above 1 minus
-                          // it
+  double hysteresis = 0;  // 1, liquid freezes at a liquid fraction below this, and solid melts above 1 minus
+                          // this
   double heatSource = 0;  // W/kg
   double emissivity = 0;  // 1, radiation from free surfaces to the ambient
   double convection = 0;  // W/(m^2 K), from free surfaces to the ambient
   double contactConductance = never;  // W/(m^2 K), at faces with other bodies; never: perfect contact
-  TemperatureTable evaporation;  // kg/(m^2 s) by temperature, from free surfaces of its liquid; empty: none
-  double evaporationHeat = 0;    // J/kg, latent heat of evaporation
-  double mushDrag = 0;           // kg/(m^3 s), Carman-Kozeny's coefficient between solidus and liquidus
-  double absorptivity = 1;       // 1, fraction of the light of lamps and lasers that it absorbs
-  double paperDiffusivity = 0;   // m^2/s, k_heat of K05, for heat model "paper"
-  bool liquidAtStart = false;    // only for materials that do not melt: initial phase
+  TemperatureTable evaporation;       // (K, kg/(m^2 s)), from free surfaces of its liquid; empty: none
+  double evaporationHeat = 0;         // J/kg, latent heat of evaporation
+  double mushDrag = 0;                // kg/(m^3 s), Carman-Kozeny's coefficient between solidus and liquidus
+  double absorptivity = 1;            // 1, absorbed fraction of the light of lamps and lasers
+  double paperDiffusivity = 0;        // m^2/s, k_heat of K05, for heat model "paper"
+  bool liquidAtStart = false;         // only for materials that do not melt: initial phase
   bool melts() const { return solidus < never; }
   bool yields() const { return yieldStrain.solid < never; }
   bool isRigid() const { return std::string_view(law.name) == "rigid"; }  // bodies of core/rigid/
@@ -108,7 +111,7 @@ struct Body {
   Vec3d velocity{};                // m/s
   Vec3d spin{};                    // rad/s, about the centre of the body's bounding box
   double temperature = 293.15;     // K
-  Vec3d temperatureGradient{};     // K/m, added to temperature, zero at the centre of the bounding box
+  Vec3d temperatureGradient{};     // K/m, adds a temperature that is zero at the centre of the bounding box
   VelocityField velocityField;     // added to velocity and spin
   PositionField temperatureField;  // K, replaces temperature
   Packing packing = Packing::Lattice;
@@ -118,15 +121,15 @@ struct Body {
 struct Emitter {
   std::string name;
   SourcePlace where;
-  bool disc = true;                 // disc of this radius, else rectangle of this size
-  double radius = 0.05;             // m
-  double width = 0.1, depth = 0.1;  // m
-  Vec3d centre{}, direction{0, 0, -1};
-  double speed = 1;                // m/s
-  double rate = 0;                 // kg/s; 0: density * area * speed
-  double temperature = 293.15;     // K
-  VelocityField velocityField;     // over the opening, added to the flow; no component along `direction`
-  PositionField temperatureField;  // K, over the opening, replaces temperature
+  bool disc = true;                     // disc of this radius, else rectangle of this size
+  double radius = 0.05;                 // m
+  double width = 0.1, depth = 0.1;      // m
+  Vec3d centre{}, direction{0, 0, -1};  // m, centre of the opening; 1, direction of the flow
+  double speed = 1;                     // m/s
+  double rate = 0;                      // kg/s; 0: density * area * speed
+  double temperature = 293.15;          // K
+  VelocityField velocityField;          // over the opening, added to the flow; no component along `direction`
+  PositionField temperatureField;       // K, over the opening, replaces temperature
   int material = 0;
   double start = 0, end = never;  // s
 };
@@ -139,17 +142,17 @@ struct Obstacle {
   Shape shape;
   std::optional<double> temperature;  // K; none: the obstacle is insulating
   double conductance = never;         // W/(m^2 K); never: the surface has the obstacle's temperature
-  double friction = 0.3;              // 1, Coulomb, for solids
-  double restitution = 0.5;           // 1, for solids
+  double friction = 0.3;              // 1, Coulomb friction of solids
+  double restitution = 0.5;           // 1, of solids
   bool slip = false;                  // liquids slip freely; else they stick
-  double contactAngle = never;        // rad, of liquids at it; never: their material's
+  double contactAngle = never;        // rad, of liquids at it; never: the material's angle
   std::vector<Keyframe> motion;
   double until = never;                     // s, the obstacle disappears at this time
   ObstacleLook look = ObstacleLook::Glass;  // in pictures
   std::uint32_t colour = 0xc8c1bc;          // red | green << 8 | blue << 16
 };
 
-/// Drives particles to a temperature anywhere in the domain: K05's freezing while pouring.
+/// Drives particles anywhere in the domain to a temperature, as in K05's freezing while pouring.
 struct Thermostat {
   SourcePlace where;
   int material = -1;            // index into Scene::materials; -1: all
@@ -163,7 +166,7 @@ struct Domain {
   Vec3d min{-1, -1, -1}, max{1, 1, 1};        // m
   std::array<std::array<Side, 2>, 3> side{};  // [axis][0 low, 1 high]
   Vec3d gravity{0, 0, -9.81};                 // m/s^2
-  Vec3d buoyantGravity{};                     // m/s^2, acts on differences of density alone (buoyancy.hpp)
+  Vec3d buoyantGravity{};                     // m/s^2, acts only on density differences (buoyancy.hpp)
   double ambient = 293.15;                    // K, for convection and radiation
   bool holds(const Vec3d& x) const {
     for (int a = 0; a < 3; a++)
@@ -191,7 +194,7 @@ enum class Buoyancy {
   Automatic,
   Boussinesq,
   Density
-};  // Boussinesq: only differences of density act; Density: the weight acts, too (buoyancy.hpp)
+};  // Boussinesq: gravity acts only on density differences; Density: the weight also acts (buoyancy.hpp)
 enum class HeatModel { Enthalpy, Paper };
 enum class Conduction {
   Normalised,
@@ -203,7 +206,7 @@ enum class Quality { Preview, Standard, Reference };  // presets of numerical ch
 
 struct Numerics {
   double support = 2.0;      // 1, support radius over spacing
-  double bondSupport = 1.7;  // 1, longest bond of solids over spacing; at most support
+  double bondSupport = 1.7;  // 1, longest bond of solids over spacing; not above `support`
   KernelKind kernel = KernelKind::WendlandC2;
   Precision precision = Precision::Single;
   Precision elasticPrecision = Precision::Double;
@@ -213,30 +216,30 @@ struct Numerics {
   double densityDiffusion = 0.1;   // 1, for the continuity form: delta of MC09
   double shifting = 0;             // 1, shifting velocity towards lower concentration over c h |grad C|
   EquationOfState eos = EquationOfState::Linear;
-  double tensileLimit = 0;  // 1, fraction of negative pressure that is kept (0: clamped at 0)
+  double tensileLimit = 0;  // 1, fraction of negative pressure that is kept; 0: pressure is clamped at 0
   PressureSolver solver = PressureSolver::StateEquation;
   double densityTolerance = 1e-4;     // 1, mean residual compression of a step in the incompressible solver
   double divergenceTolerance = 1e-3;  // 1, mean residual rate of compression times the step
-  std::int64_t maxIterations = 100;   // limit for each of its two solves
+  std::int64_t maxIterations = 100;   // iteration limit of each of the two pressure solves
   ViscosityForm viscosity = ViscosityForm::Pairwise;
   bool viscosityCorrection = false;  // for the pairwise form
   ViscositySolver viscositySolver = ViscositySolver::Explicit;
   double viscosityTolerance = 1e-3;        // 1, error of the implicit solver's velocity change
-  std::int64_t viscosityIterations = 200;  // limit per step
+  std::int64_t viscosityIterations = 200;  // iteration limit per step
   TensionForm tension = TensionForm::SurfaceEnergy;
   Buoyancy buoyancy = Buoyancy::Automatic;  // thermal, for materials with expansion
   HeatModel heat = HeatModel::Enthalpy;
   Conduction conduction = Conduction::Normalised;
   bool selfContact = true;        // pieces of one solid collide with each other
-  double maxDensityError = 0.01;  // 1, compression that the automatic sound speed allows
+  double maxDensityError = 0.01;  // 1, maximum compression for the automatic sound speed
   OverlapRule overlap = OverlapRule::Error;
   // Time step factors (docs/validation/stability.md, row 10).
   double fixedStep = 0;    // s; 0: the largest step that the limits allow
   double maxStep = never;  // s
   double cflSound = 0.4, cflViscous = 0.8, cflHeat = 0.8, cflElastic = 0.4, cflTension = 0.25,
          cflAcceleration = 0.25;
-  int elasticSubsteps = 0;  // largest number of substeps of solids in a step; 0: 4 with liquid (2 if it
-                            // is incompressible) and solids that cannot touch, else 1
+  int elasticSubsteps = 0;  // maximum number of substeps of solids in a step; 0: 4 with liquid (2 if
+                            // incompressible) and solids that cannot touch, else 1
   // Sleep (core/sleep/).
   double sleepSpeed = 0;       // m/s, speed below which a solid is at rest; 0: nothing sleeps
   double sleepAfter = 0.05;    // s, rest time before a solid sleeps
@@ -244,12 +247,13 @@ struct Numerics {
   double rigidify = 0;         // 1/s, rate of strain below which elastic solids move as rigid pieces; 0: off
   // Stability monitor (core/simulation/monitor/).
   std::int64_t retryEvery = 100;    // steps between snapshots in memory; 0: none
-  std::int64_t retries = 4;         // largest number of rollbacks for one stretch, each halves the step
+  std::int64_t retries = 4;         // maximum number of successive rollbacks; each halves the step
   double watchSpeed = 10;           // 1, speed limit over the expected speed of the scene
   double watchDensity = 2;          // 1, limit of a liquid's relative density
-  double watchStep = 1e-4;          // 1, smallest step over the materials' limit; 0: not monitored
+  double watchStep = 1e-4;          // 1, lower limit of the step over the materials' step limit; 0: not
+                                    // monitored
   double watchInverted = 0.1;       // 1, limit of the fraction of inverted solid particles
-  double watchEnergy = 0.5;         // 1, limit of the residual over the energy scale
+  double watchEnergy = 0.5;         // 1, limit of the energy residual over the energy scale
   double plasticRereference = 0.2;  // 1, norm of plastic strain above which the reference configuration is
                                     // updated
 };
@@ -258,12 +262,12 @@ struct Numerics {
 enum class SmoothingForm {
   Sphere,
   Plane
-};  // Plane: as in K05; Sphere: no force where surfels lie on a sphere (co-circularity, ST92)
+};  // Plane: as in K05; Sphere: no force if surfels lie on a sphere (co-circularity, ST92)
 enum class MergeRule {
   Liquid,
   All,
   None
-};  // components that merge where they touch; surfaces of the others stay separate
+};  // components that merge on contact; surfaces of other components stay separate
 enum class SurfelSource {
   Automatic,
   Particles
@@ -276,25 +280,26 @@ struct SurfaceSettings {
   double particleSupport = 2;  // 1, h_ps over the support radius of the particles
   SurfelSource source = SurfelSource::Automatic;
   // Times of updates.
-  std::int64_t everySteps = 0;  // steps between updates; 0: only frames and everyMove
-  double everyMove = 0.25;  // 1, update once a particle moved this fraction of the support radius; 0: never
-  // The update. Weights (1) of the four forces (k of K05).
+  std::int64_t everySteps = 0;  // steps between updates; 0: only at frames and after everyMove
+  double everyMove = 0.25;  // 1, update after a particle has moved by this fraction of the support radius; 0:
+                            // never
+  // Relaxation in an update. Weights (1) of the four forces (k of K05).
   double implicit = 0.5, attract = 0.05, smooth = 0.4, repel = 0.3;
   SmoothingForm smoothing = SmoothingForm::Sphere;
   double isoLevel = 0.5;         // 1, I of the colour field
   double leastLevel = 0.2;       // 1, I_min of the implicit constraint
   double damping = 1;            // 1, alpha of the integration
-  std::int64_t iterations = 40;  // limit per update
-  double stop = 0.01;  // 1, a surfel stops iterating if it and its neighbours move less than this fraction of
-                       // its spacing
-  double adapt = 0;    // 1, finest spacing on curved surfaces over the target spacing; 0: uniform
-  double keepVolume = 1;  // 1, weight of the force that keeps a liquid component's volume equal to that of
-                          // its particles; 0: none
+  std::int64_t iterations = 40;  // iteration limit per update
+  double stop = 0.01;     // 1, a surfel stops if it and its neighbours move less than this fraction of its
+                          // spacing
+  double adapt = 0;       // 1, smallest spacing on curved surfaces over the target spacing; 0: uniform
+  double keepVolume = 1;  // 1, weight of the force that keeps a liquid component's volume equal to its
+                          // particles' volume; 0: none
   MergeRule merge = MergeRule::Liquid;
-  double linkLength = 1.5;  // 1, link radius in spacings: particles of one component are connected up to this
+  double linkLength = 1.5;  // spacings, link radius: particles of one component are connected up to this
                             // distance
   SourcePlace where;        // the table
-  std::map<std::string, SourcePlace> places;  // the keys present in the scene
+  std::map<std::string, SourcePlace> places;  // positions of the keys present in the scene
 };
 
 struct Camera {
@@ -303,7 +308,7 @@ struct Camera {
   double fieldOfView = 0.6;    // rad, vertical
 };
 
-/// Look of drops of one and two particles in pictures of a surface: ellipsoids along their motion, balls,
+/// Display of drops of one or two particles in pictures of a surface: ellipsoids along their motion, spheres,
 /// nothing, or their own surfels.
 enum class Spray { Ellipsoids, Spheres, Hide, Surfels };
 
@@ -311,27 +316,27 @@ enum class Spray { Ellipsoids, Spheres, Hide, Surfels };
 struct PictureLight {
   Vec3d direction{0, 0, 1};         // from the scene to the light, any length
   std::uint32_t colour = 0xffffff;  // as Material::colour
-  double strength = 1;              // 1: as the sun of pictures without lights
-  double size = 0.14;               // rad, angle that it subtends
+  double strength = 1;              // 1, relative to the sun of pictures without lights
+  double size = 0.14;               // rad, subtended angle
 };
 
 struct Output {
   double every = 0.04;     // s of simulated time between frames
   double ledgerEvery = 0;  // s of simulated time between extra rows of ledger.csv; 0: only at frames
   std::vector<std::string> fields{"velocity", "temperature", "liquid"};
-  SourcePlace fieldsWhere;  // no line: the fields are defaults
+  SourcePlace fieldsWhere;  // without a line: the fields are defaults
   double checkpoint = 600;  // s of wall-clock time
   bool piecesByRank = false;
   Camera camera;
   std::string colour;  // field of the pictures; empty: temperature if the scene has heat, sheet colours if
                        // there are only sheets, else speed
-  std::optional<double> colourMin, colourMax;  // SI
+  std::optional<double> colourMin, colourMax;  // SI units of the field
   std::optional<std::uint32_t> background;     // pictures; as Material::colour; none: a pale sky
-  std::optional<std::uint32_t> backgroundTop;  // high in pictures; none: the same
+  std::optional<std::uint32_t> backgroundTop;  // colour at the top of pictures; none: as `background`
   std::vector<PictureLight> lights;            // pictures; none: the sun
-  double ambient = 1;                          // strength of the sky's light in pictures
-  std::optional<Vec3d> sun;                    // direction from the scene to the sun of pictures; none: over
-                                               // the camera's left shoulder
+  double ambient = 1;                          // 1, strength of the sky's light in pictures
+  std::optional<Vec3d> sun;                    // direction from the scene to the sun in pictures, any length;
+                                               // none: over the camera's left shoulder
   Spray spray = Spray::Ellipsoids;             // pictures
   int width = 1280, height = 960;
 };
@@ -342,20 +347,20 @@ struct ExpectedMotion {
   double start = 0;                          // m/s, fastest particle of the bodies at the start
   double emitted = 0;                        // m/s, fastest particle of the emitters
   double driven = 0;                         // m/s, fastest point of the moving obstacles
-  double lift = 0;                           // m, largest rise of an obstacle point against gravity
+  double lift = 0;                           // m, largest rise of any obstacle point against gravity
   double column = 0;                         // m, highest column of liquid that emitters can fill
   double coldest = never, hottest = -never;  // K, of bodies and emitters at the start
   std::string startBy, emittedBy, drivenBy;  // names
 };
 
 struct Scene {
-  std::string title, file, text;  // text: all input that was read, for the record in the output
+  std::string title, file, text;  // text: all input, for the record in the output
   double spacing = 0.01;          // m, particle spacing
   double end = 1;                 // s
   Quality quality = Quality::Standard;
   std::uint64_t seed = 1;
-  double fallHeight = never;  // m, largest height of fall; set from the bodies at set-up, for the automatic
-                              // sound speed
+  double fallHeight = never;  // m, largest height of fall, for the automatic sound speed; set from the bodies
+                              // at set-up
   ExpectedMotion expected;    // set with fallHeight
   Domain domain;
   Numerics numerics;
@@ -374,17 +379,17 @@ struct Scene {
   Output output;
 };
 
-/// Returns true if the scene has continuum particles, at the start or later. Otherwise it has only oriented
+/// Returns true if the scene has continuum particles, at the start or later. Otherwise, it has only oriented
 /// bodies and sheets.
 inline bool hasContinuum(const Scene& s) { return !s.bodies.empty() || !s.emitters.empty(); }
 
-/// Target spacing (m) of an oriented body's particles, or of the vertices of a generated sheet: its own, else
-/// the scene's.
+/// Returns the target spacing (m) of an oriented body's particles, or of a generated sheet's vertices. If the
+/// body has none, it is the scene's spacing.
 inline double spacingOf(const Scene& s, const OrientedBody& b) {
   return b.spacing > 0 ? b.spacing : s.spacing;
 }
 inline double spacingOf(const Scene& s, const SheetBody& b) { return b.spacing > 0 ? b.spacing : s.spacing; }
-/// Target spacing of surfels (m).
+/// Returns the target spacing of surfels (m).
 inline double surfelSpacing(const Scene& s) {
   return s.surface.spacing > 0 ? s.surface.spacing : 0.5 * s.spacing;
 }

@@ -20,7 +20,7 @@ struct SourcePlace {
   int line = 0, column = 0;
 };
 
-/// Fingerprint of a mesh file. It detects a different mesh under the same name
+/// Fingerprint of a mesh file. It reveals a different mesh under the same name
 /// (io/run/restart/mesh_fingerprints.hpp).
 struct MeshFingerprint {
   double vertices = 0, triangles = 0, checksum = 0;
@@ -44,31 +44,31 @@ enum class ShapeKind {
 struct ExtensionSettings {
   std::string name;
   std::map<std::string, double> values;  // by key, SI
-  bool heats = false;                    // its load adds heat, so the scene has heat
+  bool heats = false;                    // its load adds heat, so the heat module is active
 };
 
-/// Shape in its own frame, then scaled, rotated and moved. The signed distance is negative inside.
+/// Shape in its own frame, which is then scaled, rotated and moved. The signed distance is negative inside.
 struct Shape {
   ShapeKind kind = ShapeKind::Box;
   SourcePlace where;
   Vec3d size{1, 1, 1};   // m, Box: edge lengths, centred on the origin
-  double radius = 0.5;   // m, Sphere, Cylinder, Glass (outer), Torus (of the ring)
-  double radius2 = 0.1;  // m, Torus (of the tube)
+  double radius = 0.5;   // m, Sphere, Cylinder, Glass (outer radius), Torus (ring radius)
+  double radius2 = 0.1;  // m, Torus (tube radius)
   double height = 1;  // m, Cylinder, Glass; along z: Cylinder centred, Glass standing on z = 0, open at the
                       // top
   double thickness = 0.01;          // m, Glass: wall and floor
-  Vec3d point{}, normal{0, 0, 1};   // HalfSpace: solid on the side against the normal
+  Vec3d point{}, normal{0, 0, 1};   // HalfSpace: m, 1; the solid is on the side opposite to the normal
   std::string mesh;                 // Mesh: absolute path
   MeshFingerprint meshFingerprint;  // Mesh: set when a run begins
   ExtensionSettings extension;      // Extension: its name, and the values of its keys
   std::vector<Shape> parts;         // Union: all; Difference: first minus the others; Intersection
-  // placement: x = move + R(axis, angle) * (scale * x_shape); rotations about x, then y, then z
+  // placement: x = move + R * (scale * x_shape), where R rotates about x, then y, then z
   double scale = 1;
   Vec3d rotate{};                   // rad, about x, y, z
   Vec3d move{};                     // m
-  std::optional<double> fitHeight;  // m: scales the rotated shape to this z extent (place.height)
-  std::optional<Vec3d> bottom;      // m: moves the centre of the lowest face of the bounding box here
-                                    // (place.bottom)
+  std::optional<double> fitHeight;  // m, z extent to which the rotated shape is scaled (place.height)
+  std::optional<Vec3d> bottom;      // m, position to which the centre of the bounding box's lowest face is
+                                    // moved (place.bottom)
 };
 
 }  // namespace thaw

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sheet body as the scene defines it ([[sheet]]): vertices on exact damped springs (docs/theory/sheets.md).
+// A sheet body as the scene defines it ([[sheet]]). Its vertices move on damped springs, integrated exactly
+// (docs/theory/sheets.md).
 #pragma once
 #include <array>
 #include <cstddef>
@@ -15,7 +16,7 @@ namespace thaw {
 
 enum class SheetMesh { Grid, Sphere, Head, Dome, Forehead, File };
 
-/// Coefficients of a sheet that regions may scale; all except the mass may also vary in time. Values are
+/// Coefficients of a sheet that regions may scale. All except the mass may also vary in time. The values are
 /// indices into lists of factors and into sheetCoefficients.
 enum class SheetFactor : std::uint8_t {
   Mass,
@@ -38,7 +39,8 @@ constexpr std::size_t placeOf(SheetFactor f) { return static_cast<std::size_t>(f
 struct SheetRegion {
   SourcePlace where;
   Shape shape;
-  std::array<double, sheetFactors> factor{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};  // 1, times the sheet's
+  std::array<double, sheetFactors> factor{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};  // 1, factors of the sheet's
+                                                                                // coefficients
 };
 
 /// Local pressure: largest at the centre, zero at the radius.
@@ -51,8 +53,8 @@ struct PressureBrush {
   std::vector<Keyframe> motion;  // motion of the centre
 };
 
-/// An edge is warp if the cosine of its angle to the warp direction is at least warpCosine, weft if at most
-/// weftCosine.
+/// An edge is warp if the cosine of its angle to the warp direction is at least warpCosine. It is weft if the
+/// cosine is at most weftCosine.
 inline constexpr double warpCosine = 0.9, weftCosine = 0.3;
 
 struct SheetBody {
@@ -60,7 +62,7 @@ struct SheetBody {
   SourcePlace where;
   SheetMesh mesh = SheetMesh::Grid;
   Shape shape;                                              // placement; File: the path
-  double width = 1, depth = 1, height = 0.5, radius = 0.5;  // m, as the mesh kind requires
+  double width = 1, depth = 1, height = 0.5, radius = 0.5;  // m, used as the mesh type requires
   double spacing = 0;                                       // m, spacing of vertices; 0: the scene's
   int ribs = 0;                                             // for a dome
   double ribHeight = 0.02;                                  // m
@@ -68,23 +70,23 @@ struct SheetBody {
   double wrinkleHeight = 0.01;                              // m
   // Exact step.
   double mass = 0.3;                              // kg/m^2
-  SourcePlace massWhere;                          // its key, or the sheet
+  SourcePlace massWhere;                          // position of its key, or of the sheet
   double damping = 0;                             // kg/(m^2 s)
   double stiffness = 0;                           // N/m^3, springs to the rest positions
-  std::array<FactorInTime, sheetFactors> inTime;  // factors of the coefficients
+  std::array<FactorInTime, sheetFactors> inTime;  // 1, factors of the coefficients
   std::vector<SheetRegion> regions;
-  double plasticity = 0;        // 1, 0 elastic to 1 plastic
+  double plasticity = 0;        // 1, from 0 (elastic) to 1 (plastic)
   double elasticLimit = never;  // m, displacement from rest
   // Internal forces.
-  double warp = 0, weft = 0, shear = 0;  // N/m, edges along the warp, edges across it, edges in between
+  double warp = 0, weft = 0, shear = 0;  // N/m, stiffness of edges along the warp, across it, and in between
   Vec3d warpDirection{1, 0, 0};          // in the axes of the mesh
-  double restLength = 1;                 // 1, rest length of edges over their initial length
+  double restLength = 1;                 // 1, rest length over initial length of edges
   double bending = 0;                    // N/m, springs between the vertices on both sides of an edge
   double stretchLimit = never;           // 1, stretch beyond which edges are nearly rigid
-  double rigid = 50;                     // 1, stiffness factor beyond it
+  double rigid = 50;                     // 1, stiffness factor beyond stretchLimit
   double volumeStiffness = 0;            // Pa
-  double repulsion = 0, attraction = 0;  // N/m, repulsion of vertices nearer than `thickness`, attraction of
-                                         // those further apart
+  double repulsion = 0, attraction = 0;  // N/m, repulsion of vertices closer than `thickness`, attraction of
+                                         // vertices farther apart
   double attractionRange = 0;            // m, range of the attraction
   // External forces.
   Vec3d wind{};              // m/s
@@ -100,7 +102,7 @@ struct SheetBody {
   bool selfContact = false;
   // Start and heat.
   Vec3d velocity{};                  // m/s
-  std::vector<Shape> clamp;          // vertices in one of these at the start are fixed in place
+  std::vector<Shape> clamp;          // vertices inside one of these at the start are fixed in place
   double temperature = 293.15;       // K
   double heatCapacity = 500;         // J/(m^2 K)
   double conductance = 0;            // W/(m^2 K), to touching continuum bodies
@@ -127,7 +129,7 @@ inline constexpr std::array<SheetCoefficient, sheetFactors> sheetCoefficients{
      {"shrink_wrap", &SheetBody::shrinkWrap},
      {"wind_density", &SheetBody::windDensity}}};
 
-/// Returns the largest absolute factor that time and regions give a coefficient from a time (s) on.
+/// Returns the largest absolute factor of a coefficient, over its regions and all times from `from` (s) on.
 double largestFactor(const SheetBody& body, SheetFactor f, double from = 0);
 
 }  // namespace thaw

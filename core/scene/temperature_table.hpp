@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of tables by temperature.
+// Interpolation in tables by temperature.
 #pragma once
 #include "core/scene/flow_law.hpp"
 

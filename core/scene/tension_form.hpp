@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Form of surface tension of a scene, and contact angles of its liquids at walls.
+// Form of surface tension in a scene, and contact angles of its liquids at walls.
 #pragma once
 #include <cmath>
 #include <string>
@@ -9,19 +9,19 @@
 
 namespace thaw {
 
-/// Returns true if surface tension is a force by the curvature of the free surface (core/flow/curvature/).
-/// It has no stored energy and no pair sums.
+/// Returns true if surface tension is a force from the curvature of the free surface (core/flow/curvature/).
+/// This form has no stored energy and no pair sums.
 inline bool actsByCurvature(const Numerics& numerics, const Modules& modules) {
   return modules.tension && numerics.tension == TensionForm::Curvature;
 }
 
-/// Cosine of a contact angle (rad); exactly 0 for 90 degrees, which needs no module.
+/// Returns the cosine of a contact angle (rad). It is exactly 0 for 90 degrees, which needs no module.
 inline double wettingOf(double angle) {
   const double wetting = std::cos(angle);
   return std::abs(wetting) < 1e-12 ? 0 : wetting;
 }
 
-/// Returns the places where a contact angle of a liquid is not 90 degrees, one text each.
+/// Returns one text for each contact angle of a liquid that is not 90 degrees.
 std::vector<std::string> contactAnglesOf(const Scene& scene, const Material& liquid);
 
 }  // namespace thaw

@@ -5,15 +5,15 @@
 
 namespace thaw {
 
-/// Functions that return the sets; null where the compiler does not target the instruction set.
+/// Functions that return the kernel sets; null if the compiler does not target the instruction set.
 template<class Kernels> struct KernelSets {
   const Kernels& (*base)();
   const Kernels& (*avx2)();
   const Kernels& (*avx512)();
 };
 
-/// Returns the set of that name ("base", "avx2", "avx512"), or the best one for this processor if the name is
-/// empty. Returns nullptr for unknown or unsupported names.
+/// Returns the kernel set with this name ("base", "avx2", "avx512"). For an empty name, returns the best set
+/// for this processor. Returns nullptr for unknown or unsupported names.
 template<class Kernels> const Kernels* chooseKernels(const KernelSets<Kernels>& sets, const char* name) {
   const bool any = *name == 0;
 #if defined(__x86_64__)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Name of the instruction set of a translation unit, for the kernel sets of the *_isa.cpp files.
+// Instruction set name of a translation unit, for the kernel sets of the *_isa.cpp files.
 #pragma once
 
 namespace thaw {

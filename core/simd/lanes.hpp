@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Vectors of eight lanes: Lanes<float> is one 256-bit vector, Lanes<double> two. GCC vector extensions
 // compile for AVX-512, AVX2 and SSE2 with the same bits: only IEEE operations, no contraction, no reciprocal
-// approximations. The file is compiled once per instruction set, and each copy has its own namespace so that
-// the linker does not mix them.
+// approximations. This file is compiled once per instruction set. Each copy has its own namespace, so the
+// linker does not mix copies.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -95,8 +95,8 @@ THAW_INLINE bool laneOf(MaskD m, int lane) { return (lane < 4 ? m.lo[lane] : m.h
 #include <immintrin.h>
 namespace thaw {
 namespace THAW_ISA {
-// One instruction each, equal to a < b ? a : b in every bit, zeros and NaN included. The compiler emits two
-// instructions for the expression.
+// One instruction each. The bits equal those of a < b ? a : b (min) and a > b ? a : b (max), also for zeros
+// and NaN. For these expressions, the compiler emits two instructions.
 THAW_INLINE LanesF max(LanesF a, LanesF b) {
   return LanesF(
       reinterpret_cast<Vec8f>(_mm256_max_ps(reinterpret_cast<__m256>(a.v), reinterpret_cast<__m256>(b.v))));
@@ -131,7 +131,7 @@ THAW_INLINE Vec4d fma(Vec4d a, Vec4d b, Vec4d c) {
 THAW_INLINE bool any(MaskF m) {
   return !_mm256_testz_ps(reinterpret_cast<__m256>(m.bits), reinterpret_cast<__m256>(m.bits));
 }
-/// Returns false if no lane is negative; -0 may count as negative.
+/// Returns true if any lane is negative. -0 may count as negative.
 THAW_INLINE bool anyNegative(LanesF a) { return any(MaskF{reinterpret_cast<Vec8i>(a.v)}); }
 #else
 THAW_INLINE LanesF max(LanesF a, LanesF b) { return select(a > b, a, b); }
@@ -167,12 +167,12 @@ THAW_INLINE bool any(MaskF m) {
 }
 THAW_INLINE bool anyNegative(LanesF a) { return any(a < LanesF(0.0f)); }
 #endif
-/// a b + c, rounded once: the same bits on all instruction sets. Without a hardware instruction it is a slow
-/// library call. The compiler contracts nothing by itself.
+/// Returns a b + c, rounded once, with the same bits on all instruction sets. Without a hardware instruction,
+/// it is a slow library call. The compiler does not contract other expressions.
 THAW_INLINE LanesD fma(LanesD a, LanesD b, LanesD c) {
   return {fma(a.lo, b.lo, c.lo), fma(a.hi, b.hi, c.hi)};
 }
-/// Dot product a . b of three components.
+/// Returns the dot product a . b of three components.
 template<class L> THAW_INLINE L dot3(L ax, L ay, L az, L bx, L by, L bz) {
   return fma(az, bz, fma(ay, by, ax * bx));
 }
@@ -184,13 +184,13 @@ THAW_INLINE bool any(MaskD m) {
 THAW_INLINE bool anyNegative(LanesD a) { return any(a < LanesD(0.0)); }
 
 // ---- four values of eight rows, loaded as records and transposed: no gather instructions ------------------
-/// Four values of one particle; a pair sum loads whole records of its neighbours.
+/// Four values of one particle. A pair sum loads whole records of the neighbours.
 template<class Real> struct alignas(4 * sizeof(Real)) Record { Real a, b, c, d; };
 template<class Real> struct Lanes4 { Lanes<Real> a, b, c, d; };
 
 THAW_INLINE Vec8f load2(const Record<float>* low, const Record<float>* high) {
-#if defined(__AVX__)  // The upper half comes straight from memory: shuffles of two registers are limited to
-                      // one per cycle.
+#if defined(__AVX__)  // The upper half is loaded from memory, because only one shuffle of two registers is
+                      // possible per cycle.
   return reinterpret_cast<Vec8f>(_mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(&low->a)),
                                                       *reinterpret_cast<const __m128*>(high), 1));
 #else
@@ -198,8 +198,8 @@ THAW_INLINE Vec8f load2(const Record<float>* low, const Record<float>* high) {
   return __builtin_shufflevector(l, h, 0, 1, 2, 3, 4, 5, 6, 7);
 #endif
 }
-/// Interleaves values 0, 1 (low) or 2, 3 (high) of both, in each half. Integer unpacks use two ports of an
-/// Intel core, float unpacks one (Sapphire Rapids: 0.5 and 1 cycle).
+/// Interleaves values 0, 1 (low) or 2, 3 (high) of a and b, in each half. On Intel cores, integer unpacks use
+/// two ports, but float unpacks only one (Sapphire Rapids: 0.5 and 1 cycle).
 THAW_INLINE Vec8f unpackLow(Vec8f a, Vec8f b) {
   return reinterpret_cast<Vec8f>(__builtin_shufflevector(
       reinterpret_cast<Vec8i>(a), reinterpret_cast<Vec8i>(b), 0, 8, 1, 9, 4, 12, 5, 13));
@@ -208,21 +208,22 @@ THAW_INLINE Vec8f unpackHigh(Vec8f a, Vec8f b) {
   return reinterpret_cast<Vec8f>(__builtin_shufflevector(
       reinterpret_cast<Vec8i>(a), reinterpret_cast<Vec8i>(b), 2, 10, 3, 11, 6, 14, 7, 15));
 }
-/// Address of the first record of a row with `stride` records.
+/// Gives the address of the first record of a row with `stride` records.
 template<std::size_t stride> struct ByRow {
   template<class R> static THAW_INLINE const R* of(const R* at, std::uint32_t row) {
     return at + stride * row;
   }
 };
-/// Address of the record of a neighbour-list entry. Entries are twice the row, so the address of a 16-byte
-/// record is one scaled operand (eight times the entry) without a shift.
+/// Gives the address of the record of a neighbour-list entry. An entry is twice the row. The address of a
+/// 16-byte record is then one scaled operand (eight times the entry), without a shift.
 struct ByEntry {
   template<class R> static THAW_INLINE const R* of(const R* at, std::uint32_t entry) {
     return reinterpret_cast<const R*>(reinterpret_cast<const char*>(at) +
                                       sizeof(R) / 2 * static_cast<std::size_t>(entry));
   }
 };
-/// Lanes of the four values of rows l (lower half) and l + 4 (upper half) in r_l.
+/// Returns the lanes of the four values. r_l contains the values of rows l (lower half) and l + 4 (upper
+/// half).
 THAW_INLINE Lanes4<float> fromRows(Vec8f r0, Vec8f r1, Vec8f r2, Vec8f r3) {
   const Vec8f ab01 = unpackLow(r0, r1), cd01 = unpackHigh(r0, r1), ab23 = unpackLow(r2, r3),
               cd23 = unpackHigh(r2, r3);
@@ -281,7 +282,7 @@ THAW_INLINE void toRows(const Lanes4<float>& v, Vec8f (&rows)[4]) {
   rows[2] = __builtin_shufflevector(ab2, cd2, 0, 1, 8, 9, 4, 5, 12, 13);
   rows[3] = __builtin_shufflevector(ab2, cd2, 2, 3, 10, 11, 6, 7, 14, 15);
 }
-/// The four values of lane l after toRows.
+/// Returns the four values of lane l after toRows.
 THAW_INLINE Vec4f rowOf(const Vec8f (&rows)[4], int l) {
   return l < 4 ? __builtin_shufflevector(rows[l & 3], rows[l & 3], 0, 1, 2, 3)
                : __builtin_shufflevector(rows[l & 3], rows[l & 3], 4, 5, 6, 7);
@@ -310,21 +311,21 @@ THAW_INLINE void toDoubles(LanesD a, double* p) {
 /// Unit of position differences, in support radii: 2^-24 for fixed-point positions, whose bits are stored in
 /// float records. It is a power of two, so a sum may apply it at the end with the same bits.
 template<class Real> inline constexpr double lengthUnit = sizeof(Real) == 4 ? 1.0 / 16777216 : 1.0;
-/// Difference own - other in lengthUnit; exact before the single rounding to float.
+/// Returns the difference own - other in units of lengthUnit. It is exact before one rounding to float.
 THAW_INLINE LanesF unitDifference(LanesF own, LanesF other) {
   return LanesF(__builtin_convertvector(
       reinterpret_cast<Vec8i>(reinterpret_cast<Vec8u>(own.v) - reinterpret_cast<Vec8u>(other.v)), Vec8f));
 }
 /// In double precision, records hold positions in support radii.
 THAW_INLINE LanesD unitDifference(LanesD own, LanesD other) { return own - other; }
-/// Difference own - other in support radii.
+/// Returns the difference own - other in support radii.
 THAW_INLINE LanesF positionDifference(LanesF own, LanesF other) {
   return LanesF(lengthUnit<float>) * unitDifference(own, other);
 }
 THAW_INLINE LanesD positionDifference(LanesD own, LanesD other) { return own - other; }
 
-/// Prefetch distance in entries of a list of neighbours or bonds. Lists stream from memory faster than many
-/// hardware prefetchers follow.
+/// Prefetch distance, in entries of a list of neighbours or bonds. Many hardware prefetchers are too slow for
+/// these lists.
 inline constexpr std::size_t listAhead = 320;
 
 }  // namespace THAW_ISA

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compaction of selected words, so that a search writes results without a branch per candidate.
+// Compaction of selected words. A search writes its results without a branch per candidate.
 #pragma once
 #include "core/simd/lanes.hpp"
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conversion to double through memory. Only code for one instruction set includes this, like lanes.hpp.
+// Conversion to double through memory. As with lanes.hpp, only files compiled per instruction set include
+// this.
 #pragma once
 #include "core/simd/lanes.hpp"
 
 namespace thaw {
 namespace THAW_ISA {
 
-/// Equals widen(), but goes through memory: loads convert directly, while converting the upper half of a
-/// register needs the shuffle port, which limits the pair and bond loops.
+/// Equals widen(), but goes through memory, because loads convert directly. In a register, conversion of the
+/// upper half needs the shuffle port, which limits the pair and bond loops.
 THAW_INLINE LanesD wide(LanesF a) {
 #if defined(__AVX__)
   alignas(32) float at[8];

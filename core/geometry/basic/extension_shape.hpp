@@ -9,13 +9,13 @@
 
 namespace thaw {
 
-/// Makes the shape in its own frame for the values of its keys; `place` in the scene then scales, rotates and
-/// moves it. Errors: ShapeError or std::invalid_argument.
+/// Creates the shape in its own frame from the values of its keys. `place` in the scene then scales, rotates
+/// and moves the shape. Errors: ShapeError or std::invalid_argument.
 using ShapeMaker = std::function<std::shared_ptr<const SignedDistance>(const ExtensionSettings&)>;
 
-/// Makes a shape known by its name.
+/// Registers a shape under its name.
 void addExtensionShape(const std::string& name, ShapeMaker make);
-/// Returns the maker of that name, or null.
+/// Returns the maker with this name, or null.
 const ShapeMaker* findExtensionShape(const std::string& name);
 
 }  // namespace thaw

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors of shapes and meshes, with their place in the scene.
+// Errors of shapes and meshes, with their position in the scene file.
 #pragma once
 #include <stdexcept>
 #include <string>
@@ -8,11 +8,12 @@
 
 namespace thaw {
 
-/// Thrown for unusable shapes and meshes. what() is one sentence with the expected value, without the place.
+/// Thrown for unusable shapes and meshes. what() is one sentence with the expected value, without the
+/// position in the file.
 struct ShapeError : std::runtime_error {
   explicit ShapeError(const std::string& message, SourcePlace place = {})
       : std::runtime_error(message), where(std::move(place)) {}
-  SourcePlace where;  ///< place of the shape in the scene; empty file: unknown
+  SourcePlace where;  ///< position of the shape in the scene file; empty file name: unknown
 };
 
 /// Collects problems of a scene and reports them together, one line each: "file:line:column: error: text".

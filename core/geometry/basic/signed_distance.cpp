@@ -16,8 +16,8 @@ void SignedDistance::insideAlong(std::span<const Vec3d> points, std::span<std::u
       k++;
       continue;
     }
-    // Points nearer than the surface are on the same side. The sign and a lower bound far from the surface
-    // cost less than the distance.
+    // Points closer than the surface are on the same side. Far from the surface, the sign and a lower bound
+    // cost less than the exact distance.
     const double d = distanceWithin(points[k], 0.01 * spacing);
     const auto same = 1 + static_cast<std::size_t>(std::min(std::abs(d) / spacing * (1 - 1e-9), 1e9));
     const std::size_t end = std::min(n, k + same);
@@ -29,7 +29,7 @@ double SignedDistance::extent(const Vec3d& direction) const {
   const Bounds b = bounds();
   double e = 0;
   for (int a = 0; a < 3; a++)
-    // Avoids 0 times infinity.
+    // This avoids 0 times infinity.
     if (direction[a] != 0) e += direction[a] * (direction[a] > 0 ? b.max[a] : b.min[a]);
   return e;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles from a file or from code, without guarantees (mesh_repair.hpp makes a solid of them).
+// Triangles from a file or from code, without guarantees. mesh_repair.hpp turns them into a solid.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -21,7 +21,7 @@ struct TriangleMesh {
                                                 // none; empty without normals
 };
 
-/// Area of all triangles (m^2).
+/// Returns the area of all triangles (m^2).
 inline double areaOf(const TriangleMesh& mesh) {
   double area = 0;
   for (const auto& t : mesh.triangles)
@@ -30,8 +30,8 @@ inline double areaOf(const TriangleMesh& mesh) {
   return area;
 }
 
-/// Reads the mesh of a path. Throws a std::exception whose what() names file, place and expected content.
-/// io/meshes implements it for files, so core reads none.
+/// Reads the mesh at a path. Throws a std::exception whose what() gives file, position and expected content.
+/// io/meshes implements the loader for files, so core does not read files.
 using MeshLoader = std::function<TriangleMesh(const std::string& path)>;
 
 }  // namespace thaw

@@ -8,12 +8,13 @@
 
 namespace thaw {
 
-/// Union with a seam rounded over a width k. It is quadratic, to avoid transcendental functions.
+/// Returns the union, with the seam rounded over a width k. The blend is quadratic, to avoid transcendental
+/// functions.
 inline double blend(double a, double b, double k) {
   const double h = std::max(k - std::abs(a - b), 0.0) / k;
   return std::min(a, b) - 0.25 * k * h * h;
 }
-/// a without b, with the edge rounded over k.
+/// Returns a without b, with the edge rounded over k.
 inline double carve(double a, double b, double k) { return -blend(-a, b, k); }
 
 inline double ellipsoid(const Vec3d& x, const Vec3d& centre, const Vec3d& radii) {

@@ -10,12 +10,12 @@
 namespace thaw {
 namespace {
 
-// Parts of the sculpture. Lengths are in m, close to those of the final height of 1 m. Values approximate
-// distances, negative inside.
+// Parts of the sculpture. Lengths are in m, for a height of about 1 m. Values approximate distances, negative
+// inside.
 
 double ball(const Vec3d& x, const Vec3d& centre, double radius) { return length(x - centre) - radius; }
 
-/// 1 at 0, falls smoothly to 0 at -1 and 1.
+/// Returns 1 at 0, and falls smoothly to 0 at -1 and 1.
 double bump(double u) { return u > -1 && u < 1 ? (1 - u * u) * (1 - u * u) : 0; }
 
 /// Blunt cone between the middles of its flat ends, rounded at the rims, with a ribbon and a band on the
@@ -80,7 +80,7 @@ double head(const Vec3d& x) {
   return blend(d, ball(x, {0, -0.104, 0.782}, 0.023), 0.008);
 }
 
-/// A round plinth of two steps below the centre of mass, wide enough for a stable stand.
+/// A round plinth with two steps below the centre of mass, wide enough for stability.
 double plinth(const Vec3d& x) {
   const auto disc = [&](double radius, double low, double high) {
     constexpr double rounding = 0.012;
@@ -109,7 +109,7 @@ struct Frame {
   double middle = 0, low = 0, scale = 1;
 };
 
-/// Cached: it takes a sixth of a second and has several users.
+/// The mesh is cached, because it takes a sixth of a second and is used several times.
 const TriangleMesh& unplacedMesh() {
   static const TriangleMesh mesh = polygonise(queen, {{-0.2605, -0.2605, -0.1605}, {0.2605, 0.3305, 1.0905}},
                                               0.0131);

@@ -7,8 +7,8 @@ namespace thaw {
 
 inline constexpr const char* builtinBust = "builtin:bust";  ///< its name in scenes
 
-/// Returns a closed, outward mesh, 1 m tall, standing on z = 0 around the origin, facing -y. It uses only + -
-/// * / and square roots, so the bits are the same everywhere.
+/// Returns a closed mesh with outward triangles, 1 m tall, standing on z = 0 at the origin, facing -y. It is
+/// made by elementary arithmetic and square roots only, so the bits are the same on all machines.
 TriangleMesh bustMesh();
 
 /// Returns the approximate signed distance (m) from the sculpture's surface, negative inside, in the frame of

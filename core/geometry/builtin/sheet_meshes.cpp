@@ -45,13 +45,14 @@ struct Icosahedron {
   }
 };
 
-/// Unit sphere with n parts an edge: 10 n^2 + 2 vertices, corners first, then edges, then faces.
+/// Returns a unit sphere with n parts per edge: 10 n^2 + 2 vertices. Corners are first, then edges, then
+/// faces.
 TriangleMesh unitSphere(std::uint32_t n) {
   const Icosahedron ico;
   TriangleMesh m;
   for (const Vec3d& c : ico.corner) m.vertices.push_back(c);
   std::uint32_t edgeFirst[12][12] = {};
-  // equal angles along an edge give more even triangles than equal lengths
+  // equal angles along an edge give more uniform triangles than equal lengths
   const double angle = std::acos(dot(ico.corner[0], ico.corner[11]));
   const auto along = [&](const Vec3d& a, const Vec3d& b, double t) {
     return (std::sin((1 - t) * angle) * a + std::sin(t * angle) * b) / std::sin(angle);
@@ -190,7 +191,7 @@ TriangleMesh foreheadSheet(double radius, double width, double height, double sp
       const double t = std::clamp((0.5 - std::abs(s)) / over, 0.0, 1.0);
       return t * t * (3 - 2 * t);
     };
-    // furrows bend up over the brows and down between them, with irregular phase
+    // furrows bend up above the brows and down between them, with irregular phase
     const double bent = v + 0.05 * std::cos(2 * pi * 2 * u) + 0.012 * std::sin(2 * pi * (3.3 * u + 1.7 * v));
     const double wave = 0.5 + 0.5 * std::cos(2 * pi * wrinkles * bent + 0.6 * std::sin(2 * pi * u));
     const double rise = wrinkles > 0 ? depth * fade(u, 0.22) * fade(v, 0.15) * wave * wave *

@@ -6,22 +6,24 @@
 
 namespace thaw {
 
-/// Rectangle in z = 0 around the origin: squares of about `spacing` (m) along x and y, each cut into two
-/// triangles.
+/// Returns a rectangle (m) in z = 0 around the origin. Squares of about `spacing` (m) along x and y are
+/// divided into two triangles each.
 TriangleMesh gridSheet(double width, double depth, double spacing);
 
-/// Sphere around the origin: an icosahedron with edges divided into equal parts of about `spacing` (m).
+/// Returns a sphere of this radius (m) around the origin: an icosahedron with edges divided into equal
+/// parts of about `spacing` (m).
 TriangleMesh sphereSheet(double radius, double spacing);
 
-/// Head of `height` (m) from chin to crown, facing -y, around the origin and closed below. Vertices of a
-/// sphere are moved along rays from the centre.
+/// Returns a head of `height` (m) from chin to crown, facing -y, around the origin and closed below.
+/// Vertices of a sphere are moved along rays from the centre.
 TriangleMesh headSheet(double height, double spacing);
 
-/// Cap of a dome over a disc in z = 0, `height` high, with radial ribs like a scallop.
+/// Returns the cap of a dome over a disc in z = 0, `height` (m) high, with radial ribs like a scallop.
 TriangleMesh domeSheet(double radius, double height, double spacing, int ribs, double ribHeight);
 
-/// Skin on the +z side of a ball of this radius (m) around the origin, width (x) by height (y) measured along
-/// the ball. It has `wrinkles` furrows across, which rise `depth` above the ball and fade towards the border.
+/// Returns a skin on the +z side of a ball of this radius (m) around the origin. Its width (x) and height (y)
+/// (m) are measured along the ball. It has `wrinkles` furrows along x, which rise `depth` (m) above the ball
+/// and fade towards the border.
 TriangleMesh foreheadSheet(double radius, double width, double height, double spacing, double depth,
                            int wrinkles);
 

@@ -36,8 +36,8 @@ bool shareFace(std::size_t a, std::size_t b) {
 
 using Polygon = std::vector<std::size_t>;
 
-/// Returns the polygons between inside and outside. On each face the boundary of a run of inside corners
-/// leads from the edge before it to the edge behind it.
+/// Returns the polygons between inside and outside. On each face, a side of a polygon separates a run of
+/// inside corners: it leads from the edge before the run to the edge after it.
 std::vector<Polygon> polygonsOf(std::uint8_t inside) {
   constexpr std::size_t none = edgeCount;
   std::array<std::size_t, edgeCount> next;
@@ -65,7 +65,8 @@ std::vector<Polygon> polygonsOf(std::uint8_t inside) {
   return all;
 }
 
-/// Adds the triangles of a polygon. Returns false, without a change, if each choice has a diagonal on a face.
+/// Adds the triangles of a polygon. Returns false, without a change, if every triangulation has a diagonal on
+/// a face.
 bool addTriangles(std::span<const std::size_t> polygon, CubeTriangles& to) {
   const std::size_t n = polygon.size(), before = to.size();
   if (n < 3) return true;

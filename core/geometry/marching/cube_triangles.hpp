@@ -8,7 +8,7 @@
 
 namespace thaw {
 
-/// Edge of a cube from a corner along an axis. Corners are numbered x + 2 y + 4 z.
+/// Edge of a cube, from a corner along an axis. Corners have the numbers x + 2 y + 4 z.
 struct AxisEdge {
   std::uint8_t from, axis;
   int to() const { return from | 1 << axis; }
@@ -18,13 +18,13 @@ struct AxisEdge {
 using CubeTriangles = std::vector<std::array<AxisEdge, 3>>;
 
 /// Returns the triangles that separate corners inside from those outside. Their vertices lie on edges of the
-/// cube, counter-clockwise seen from outside the body. On a face with two diagonal corners inside, the two
-/// are separated, so cubes match. No edge of a triangle crosses such a face, since the triangles of the other
-/// cube could have the same edge. inside: bit c for corner c.
+/// cube, counter-clockwise seen from outside the body. On a face with two diagonally opposite inside corners,
+/// these are separated, so adjacent cubes match. No edge of a triangle crosses such a face, since
+/// triangles of the adjacent cube could have the same edge. inside: bit c for corner c.
 const CubeTriangles& cubeTriangles(std::uint8_t inside);
 
-/// Smallest distance of a crossing from the ends of its edge, as a fraction of it, so that triangles do not
-/// degenerate.
+/// Smallest distance of a crossing from the ends of its edge, as a fraction of the edge. It prevents
+/// degenerate triangles.
 inline constexpr double nearestToCorner = 0.02;
 inline double awayFromCorners(double fraction) {
   return std::clamp(fraction, nearestToCorner, 1 - nearestToCorner);
@@ -33,7 +33,7 @@ inline double awayFromCorners(double fraction) {
 inline double crossing(double from, double to) { return awayFromCorners(from / (from - to)); }
 
 /// Adds the triangles of a cube with these values at its corners, negative inside. vertexOn(edge) returns the
-/// number of the vertex on an edge. Triangles with equal vertices are left out.
+/// number of the vertex on an edge. Triangles with equal vertices are omitted.
 template<class VertexOn>
 void marchCube(const double (&value)[8], VertexOn vertexOn,
                std::vector<std::array<std::uint32_t, 3>>& triangles) {

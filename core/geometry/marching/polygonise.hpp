@@ -8,9 +8,9 @@
 
 namespace thaw {
 
-/// Returns the surface value(x) = 0 within the bounds: closed, outward, without duplicate vertices. It uses
-/// marching cubes (LC87) of edge `spacing` (m). value < 0 inside. Requires: value > 0 on the border of the
-/// bounds.
+/// Returns the surface value(x) = 0 within the bounds (m): closed, with outward triangles, without duplicate
+/// vertices. It uses marching cubes (LC87) with edges of `spacing` (m). value < 0 inside. Requires: value > 0
+/// on the border of the bounds.
 TriangleMesh polygonise(const std::function<double(const Vec3d&)>& value, const Bounds& bounds,
                         double spacing);
 

@@ -17,11 +17,12 @@ namespace {
 
 constexpr double smooth = 0.866;  // cosine of the largest angle between normals of a smooth surface
 constexpr double nearEnd = 0.15;  // fraction of a side: a vertex this close to an edge moves onto it
-constexpr double farthest = 1.5;  // spacings, from the middle of a side to its point on an edge
-constexpr int projections = 4;    // distances of combined shapes are bounds
+constexpr double farthest = 1.5;  // spacings, largest distance from the middle of a side to its point on an
+                                  // edge
+constexpr int projections = 4;    // several, because distances of combined shapes are only bounds
 
-/// The position of a vertex, and the outward normals of the faces on which it is: one, two on an edge of the
-/// shape, three at a corner.
+/// Position (m) of a vertex, and outward normals of the faces on which it lies: one, two on an edge of the
+/// shape, or three at a corner.
 struct SurfacePoint {
   Vec3d x{};
   std::array<Vec3d, 3> normals{};
@@ -41,7 +42,7 @@ bool isSharp(const SurfacePoint& a, const SurfacePoint& b) {
   return a.faces == 1 && b.faces == 1 && dot(a.normals[0], b.normals[0]) < smooth;
 }
 
-/// Returns the point on an edge that is closest to the middle of two points: the one in both tangent planes.
+/// Returns the point in the tangent planes of both points, on the edge, that is closest to their middle.
 std::optional<SurfacePoint> edgePoint(const SurfacePoint& a, const SurfacePoint& b, double spacing) {
   const Vec3d &m = a.normals[0], &n = b.normals[0], middle = 0.5 * (a.x + b.x);
   const double c = dot(m, n), u = dot(m, a.x - middle), v = dot(n, b.x - middle), det = 1 - c * c;
@@ -51,12 +52,12 @@ std::optional<SurfacePoint> edgePoint(const SurfacePoint& a, const SurfacePoint&
   return SurfacePoint{middle + offset, {m, n}, 2};
 }
 
-/// A plane with a normal through a point.
+/// Plane through a point, with a normal.
 struct Plane {
   Vec3d normal, x;
 };
 
-/// Returns the point in three planes, unless they are nearly parallel to a line.
+/// Returns the intersection of three planes, unless all are nearly parallel to one line.
 std::optional<SurfacePoint> cornerPoint(const std::array<Plane, 3>& p, const Vec3d& middle, double spacing) {
   const Vec3d &a = p[0].normal, &b = p[1].normal, &c = p[2].normal;
   const double det = dot(a, cross(b, c));
@@ -72,8 +73,8 @@ using MeshSide = std::pair<std::uint32_t, std::uint32_t>;
 
 MeshSide sideOf(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// Moves the nearer end of a side onto the edge that it crosses, if that end is within a fraction of the
-/// side.
+/// Moves the closer end of each side onto the edge that the side crosses, if the distance is below a
+/// fraction of the side.
 void moveEnds(const TriangleMesh& mesh, std::vector<SurfacePoint>& points, double spacing, double fraction) {
   for (const auto& t : mesh.triangles)
     for (std::size_t k = 0; k < 3; k++) {
@@ -86,7 +87,7 @@ void moveEnds(const TriangleMesh& mesh, std::vector<SurfacePoint>& points, doubl
     }
 }
 
-/// Moves the nearest vertex of a triangle on three faces to their corner.
+/// For each triangle on three faces, moves the vertex closest to their corner to that corner.
 void moveToCorners(const TriangleMesh& mesh, std::vector<SurfacePoint>& points, double spacing) {
   for (const auto& t : mesh.triangles) {
     std::array<Plane, 3> planes{};
@@ -111,7 +112,7 @@ void moveToCorners(const TriangleMesh& mesh, std::vector<SurfacePoint>& points, 
   }
 }
 
-/// Returns the vertices on those sides that cross an edge of the shape, and adds them to the points.
+/// Returns new vertices on the sides that cross an edge of the shape, and adds the vertices to the points.
 std::map<MeshSide, std::uint32_t> divideSides(const TriangleMesh& mesh, std::vector<SurfacePoint>& points,
                                               double spacing) {
   std::map<MeshSide, std::uint32_t> vertex;
@@ -145,7 +146,7 @@ void addDivided(const std::array<std::uint32_t, 3>& t, const std::array<std::opt
     }
     return;
   }
-  std::size_t k = 0;  // with two: the corner between the divided sides; with one: the start of that side
+  std::size_t k = 0;  // two divided sides: the corner between them; one: the start of that side
   while (divided == 2 ? !(on[(k + 2) % 3] && on[k]) : !on[k]) k++;
   const std::uint32_t a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3], p = *on[k];
   if (divided == 1) {

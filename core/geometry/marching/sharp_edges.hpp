@@ -9,14 +9,15 @@
 
 namespace thaw {
 
-/// Projects the vertices of a marched surface onto the shape, and divides triangles along its edges, where
-/// normals turn by more than 30 degrees. Points on edges are where the tangent planes at both ends of a
-/// triangle's side meet; corners are where three meet (KBSS01). Closed meshes stay closed.
+/// Projects the vertices of a marched surface onto the shape. Divides triangles along the shape's edges,
+/// where normals turn by more than 30 degrees. A point on an edge is the intersection of the tangent planes
+/// at both ends of a triangle's side. A corner is the intersection of three tangent planes (KBSS01). Closed
+/// meshes stay closed.
 /// spacing: edge (m) of the cubes.
 TriangleMesh withSharpEdges(const TriangleMesh& mesh, const SignedDistance& shape, double spacing);
 
-/// As withSharpEdges, but moves the nearer end of each side onto the edge and divides none. Returns 0 for
-/// each vertex on a face, 1 on an edge, 2 at a corner.
+/// As withSharpEdges, but moves the closer end of each side onto the edge and divides no triangle. Returns 0
+/// for each vertex on a face, 1 on an edge, 2 at a corner. spacing: m.
 std::vector<std::uint8_t> moveOntoEdges(TriangleMesh& mesh, const SignedDistance& shape, double spacing);
 
 }  // namespace thaw

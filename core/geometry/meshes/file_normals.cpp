@@ -11,8 +11,8 @@ namespace thaw {
 
 Vec3d unitNormal(const Vec3d& n) {
   const double most = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
-  return most > 0 ? normalized(n / most) : Vec3d{};  // squares of the components themselves may overflow or
-                                                     // underflow
+  return most > 0 ? normalized(n / most) : Vec3d{};  // scaled first, because squares of the components may
+                                                     // overflow or underflow
 }
 
 void validateNormals(TriangleMesh& m, MeshReport& report) {
@@ -23,8 +23,8 @@ void validateNormals(TriangleMesh& m, MeshReport& report) {
   };
   DisjointSets shells(m.vertices.size());
   for (const auto& t : m.triangles) shells.join(t[0], t[1]), shells.join(t[0], t[2]);
-  std::vector<std::int64_t> outward(m.vertices.size(), 0);  // by a shell's first vertex: outward normals
-                                                            // minus inward ones
+  std::vector<std::int64_t> outward(m.vertices.size(), 0);  // by a shell's first vertex: number of outward
+                                                            // normals minus inward ones
   for (std::size_t t = 0; t < m.triangles.size(); t++)
     for (const Vec3d& n : m.normals[t]) {
       const double d = dot(n, side(t));
@@ -32,7 +32,7 @@ void validateNormals(TriangleMesh& m, MeshReport& report) {
     }
   for (std::size_t t = 0; t < m.triangles.size(); t++) {
     const bool turned = outward[shells.find(m.triangles[t][0])] < 0;
-    const bool ofFile = static_cast<std::int64_t>(t) < report.triangles;  // the others close holes
+    const bool ofFile = static_cast<std::int64_t>(t) < report.triangles;  // other triangles close holes
     for (Vec3d& n : m.normals[t]) {
       const bool given = dot(n, n) > 0;
       if (turned) n = -n;

@@ -9,10 +9,10 @@ namespace thaw {
 /// Returns the normal scaled to length 1; 0 stays 0.
 Vec3d unitNormal(const Vec3d& n);
 
-/// Validates the file normals of a repaired mesh and counts changes in the report. If most normals of a shell
-/// point inward (an inverted file, or another handedness), all of them are flipped. Normals that still oppose
-/// their triangle are then set to 0, which also marks missing normals in many files. Where the normal is 0,
-/// it follows from the triangles.
+/// Validates the file normals of a repaired mesh, and counts changes in the report. If most normals of a
+/// shell point inward (an inverted file, or another handedness), all its normals are flipped. Normals that
+/// still oppose their triangle are then set to 0. Many files also use 0 for missing normals. Normals of 0 are
+/// computed from the triangles.
 void validateNormals(TriangleMesh& mesh, MeshReport& report);
 
 }  // namespace thaw

@@ -6,7 +6,7 @@
 namespace thaw {
 
 AlignedVector<EdgeSide> edgeSides(const TriangleMesh& mesh) {
-  // Bucket by the smaller vertex in one pass: few sides share a vertex.
+  // Sorts by the smaller vertex into buckets in one pass, since few sides share a vertex.
   std::vector<std::uint32_t> next(mesh.vertices.size() + 1, 0);
   const auto forEachSide = [&](auto&& f) {
     for (std::uint32_t t = 0; t < mesh.triangles.size(); t++)

@@ -10,7 +10,7 @@ struct BorderEdge {
   std::uint32_t from, to;
 };
 
-/// Returns the directed edges that balance the mesh.
+/// Returns the directed edges that the mesh lacks to be balanced.
 std::vector<BorderEdge> lackingEdges(const AlignedVector<EdgeSide>& sides) {
   std::vector<BorderEdge> border;
   forEachEdge(sides, [&](std::size_t first, std::size_t last) {
@@ -54,8 +54,8 @@ std::int64_t closeHoles(TriangleMesh& mesh, const AlignedVector<EdgeSide>& sides
   std::int64_t holes = 0;
   std::vector<std::uint32_t> path;
   for (std::uint32_t start = 0; start < vertices; start++) {
-    // Equally many border edges leave and enter a vertex, so a walk ends only where it began. Whenever it
-    // crosses itself, the loop in between is a hole of its own.
+    // The numbers of border edges that leave and enter a vertex are equal, so a walk ends only at its start.
+    // If the walk crosses itself, the enclosed loop is a separate hole.
     while (next[start] < begin[start + 1]) {
       path.assign(1, start);
       placeOnPath[start] = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Closing the holes of a mesh.
+// Closes the holes of a mesh.
 #pragma once
 #include <cstdint>
 
@@ -7,7 +7,7 @@
 
 namespace thaw {
 
-/// Closes each hole by triangles between its border and the middle of the border's vertices. Every edge is
+/// Closes each hole with triangles between its border and the mean of the border's vertices. Every edge is
 /// then traversed equally often in both directions. sides: edgeSides of the input mesh. Returns the number of
 /// holes.
 std::int64_t closeHoles(TriangleMesh& mesh, const AlignedVector<EdgeSide>& sides);

@@ -9,7 +9,7 @@ namespace {
 
 // height over the longest surrounding edge
 constexpr double sliver = 0.2;
-// Longest edge over the longest surrounding one. Two such triangles may agree by chance.
+// longest edge over the longest surrounding edge. Two such triangles may agree by chance.
 constexpr double tiny = 0.1;
 // cosine of 11 degrees
 constexpr double agrees = 0.98;
@@ -33,8 +33,8 @@ MeshNormals::MeshNormals(const TriangleMesh& mesh) : mesh_(mesh) {
 }
 
 /// Replaces unreliable normals of slivers. If a sliver's normal differs from that of the triangle across its
-/// longest edge, it is a rounding error. The mean of the triangles around its corners replaces it. On the
-/// narrow side of a plate, the two agree.
+/// longest edge, rounding errors dominate it. The mean normal of the triangles around its corners replaces
+/// it. On the narrow side of a plate, the two normals agree.
 void MeshNormals::repairSlivers() {
   const std::vector<Vec3d> own = face_;
   const TriangleMesh& m = mesh_;
@@ -113,7 +113,8 @@ Vec3d MeshNormals::cornerNormal(std::uint32_t triangle, std::uint32_t vertex) co
     const std::size_t at = c[0] == vertex ? 0 : c[1] == vertex ? 1 : 2;
     const Vec3d p = normalized(mesh_.vertices[c[(at + 1) % 3]] - here),
                 q = normalized(mesh_.vertices[c[(at + 2) % 3]] - here);
-    // Sine of half the angle: as good a weight as the angle, with the same bits everywhere.
+    // The weight is the sine of half the angle. It serves as well as the angle, with the same bits on all
+    // machines.
     sum += std::sqrt(std::max(0.0, 0.5 - 0.5 * dot(p, q))) * face_[u];
   }
   return dot(sum, sum) > 0 ? normalized(sum) : face_[triangle];

@@ -13,8 +13,9 @@ class MeshNormals {
  public:
   explicit MeshNormals(const TriangleMesh& mesh);
   /// Returns the unit normal at a point of a triangle, interpolated between its corners. Corner normals come
-  /// from the file, or else are means of the surrounding triangles that deviate less than 45 degrees,
-  /// weighted by their angle. Slivers whose normal differs from that across their longest edge are ignored.
+  /// from the file. Without them, they are means over the surrounding triangles that deviate by less than 45
+  /// degrees, weighted by angle. Slivers are ignored if their normal differs from the one across their
+  /// longest edge.
   Vec3d at(const Vec3d& x, std::uint32_t triangle) const;
   /// Returns the interpolated colour of the corners. Requires: a mesh with vertex colours.
   std::uint32_t colourAt(const Vec3d& x, std::uint32_t triangle) const;

@@ -140,7 +140,7 @@ std::vector<Shell> findShells(const TriangleMesh& m, const AlignedVector<EdgeSid
   return shells;
 }
 
-/// Returns true if `outer` contains all of about 16 evenly picked vertices of `inner`.
+/// Returns true if `outer` contains about 16 evenly selected vertices of `inner`.
 bool contains(const TriangleBvh& outer, const TriangleMesh& m, const Shell& inner) {
   const std::size_t step = std::max<std::size_t>(1, inner.triangles.size() / 16);
   for (std::size_t k = 0; k < inner.triangles.size(); k += step)
@@ -166,7 +166,7 @@ std::int64_t turnShells(TriangleMesh& m, const std::vector<Shell>& shells) {
     const Shell& outer = shells[order[k]];
     if (decided[order[k]]) continue;
     const bool wrong = outer.volume < 0 && outer.solid();
-    // An undecided shell that is not within a larger one is itself outermost; shells within it follow it.
+    // This shell is still undecided, so it lies in no larger shell. It decides for the shells within it.
     TriangleMesh part{m.vertices, {}};
     bool built = false;
     std::optional<TriangleBvh> tree;
@@ -264,7 +264,7 @@ TriangleMesh repairSurface(const TriangleMesh& mesh, MeshReport& report) {
   Welded w = weldAndAgree(mesh, report);
   if (w.open == 0) return closeMesh(std::move(w), report);
   report.border = static_cast<std::int64_t>(w.open);
-  report.closed = true;  // the inside is not used
+  report.closed = true;  // the inside of an open surface is not used
   validateNormals(w.mesh, report);
   return std::move(w.mesh);
 }

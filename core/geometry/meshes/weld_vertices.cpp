@@ -28,8 +28,8 @@ std::vector<Index> firstEqual(const std::vector<Vec3d>& v) {
   return first;
 }
 
-/// Returns for each vertex the first one nearby, by a hash of cells of twice the tolerance. The hash is only
-/// looked up, never iterated, so the result is deterministic.
+/// Returns for each vertex the first vertex nearby, by a hash of cells with an edge of twice the tolerance.
+/// The hash table is never iterated, so the result is deterministic.
 std::vector<Index> firstNear(const std::vector<Vec3d>& v, double tolerance) {
   std::unordered_map<std::uint64_t, std::vector<Index>> cells;
   std::vector<Index> first(v.size());
@@ -76,7 +76,7 @@ TriangleMesh weldVertices(const TriangleMesh& mesh, double tolerance) {
     sorted.push_back(c);
     std::sort(sorted.back().begin(), sorted.back().end());
   }
-  // Bucket by the smallest corner in one pass: few triangles share it.
+  // Sorts by the smallest corner into buckets in one pass, since few triangles share a corner.
   std::vector<Index> order(sorted.size()), end(mesh.vertices.size() + 1, 0);
   for (const auto& t : sorted) end[t[0] + 1]++;
   for (std::size_t v = 1; v < end.size(); v++) end[v] += end[v - 1];

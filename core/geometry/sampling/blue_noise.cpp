@@ -15,7 +15,7 @@ namespace {
 
 // in spacings
 constexpr double pieceSize = 0.55, closest = 0.75, largestGap = 0.85;
-// Least dot product of the normals of triangles that interact.
+// smallest dot product of the normals of triangles that interact
 constexpr double sameSide = -0.3;
 constexpr int lloydSteps = 2;
 constexpr std::uint32_t noSample = 0xffffffffu;
@@ -26,7 +26,7 @@ struct Candidates {
   std::vector<float> area;  // m^2, area of the piece
 };
 
-/// Halves a triangle across its longest edge until it is small. Adds one candidate in each piece.
+/// Divides a triangle across its longest edge until the pieces are small. Adds one candidate in each piece.
 void addPieces(const std::array<Vec3d, 3>& t, std::uint32_t triangle, double size2, std::uint64_t seed,
                const MeshPart* part, Candidates& c) {
   int longest = 0;
@@ -39,7 +39,7 @@ void addPieces(const std::array<Vec3d, 3>& t, std::uint32_t triangle, double siz
   if (most > size2) {
     const Vec3d m = 0.5 * (a + b);
     if (part && !part->near(m, std::sqrt(most)))
-      // No corner is farther from the middle of the longest edge.
+      // No corner is farther from the middle of the longest edge than its ends.
       return;
     addPieces({a, m, o}, triangle, size2, seed, part, c);
     addPieces({m, b, o}, triangle, size2, seed, part, c);
@@ -93,7 +93,7 @@ struct Sampler {
     while ((std::uint64_t{1} << bits) < n) bits++;
     const std::uint64_t mask = (std::uint64_t{1} << bits) - 1, start = mixBits(seed);
     for (std::uint64_t k = 0; k <= mask; k++) {
-      // Bijection: odd factors and shifted xors are invertible.
+      // This is a bijection, since odd factors and shifted xors are invertible.
       std::uint64_t x = (k + start) & mask;
       x = x * 0x9e3779b97f4a7c15ull & mask, x ^= x >> (bits / 2), x = x * 0xbf58476d1ce4e5b9ull & mask,
       x ^= x >> (bits / 2);
@@ -108,7 +108,7 @@ struct Sampler {
     }
   }
 
-  /// Finds the nearest sample of each candidate within `reach`, else the value `noSample`.
+  /// Finds the nearest sample within `reach` (m) of each candidate; noSample if there is none.
   void findNearest(double reach) {
     std::vector<Vec3d> at;
     at.reserve(places.size());

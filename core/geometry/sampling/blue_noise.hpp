@@ -16,18 +16,19 @@ struct MeshSample {
 
 /// Part of a mesh that receives samples.
 struct MeshPart {
-  /// Returns whether the part may come within `reach` (m) of a position.
+  /// Returns true if the part may come within `reach` (m) of a position (m).
   std::function<bool(const Vec3d& middle, double reach)> near;
-  /// Returns whether a position on a triangle belongs to the part.
+  /// Returns true if a position (m) on a triangle belongs to the part.
   std::function<bool(const Vec3d& place, std::uint32_t triangle)> isThere;
 };
 
-/// Returns samples about `spacing` (m) apart, as many as a hexagonal lattice has. Each triangle piece of at
-/// most 0.55 spacings has one random candidate. Dart throwing in a hashed order accepts candidates at least
-/// 0.75 spacings apart (Poisson discs). Lloyd steps move samples to the centroids of their candidates.
-/// Isolated candidates are then added, so that no point of the mesh is farther than `spacing` from a sample.
-/// The two sides of a thin sheet do not interact. All ranks sample the whole mesh, with the same bits.
-/// Memory: 40 bytes a candidate, about 15 candidates a sample. With `part` only that part has candidates.
+/// Returns samples with distances of about `spacing` (m), and the density of a hexagonal lattice. Triangles
+/// are divided into pieces of at most 0.55 spacings, each with one random candidate. Dart throwing in a
+/// hashed order accepts candidates at least 0.75 spacings apart (Poisson discs). Lloyd steps move samples to
+/// the centroids of their candidates. Isolated candidates are then added, so no point of the mesh is farther
+/// than `spacing` from a sample. The two sides of a thin sheet do not interact. All ranks sample the whole
+/// mesh, with the same bits. Memory: 40 bytes per candidate, about 15 candidates per sample. With `part`,
+/// only that part has candidates.
 std::vector<MeshSample> blueNoise(const TriangleMesh& mesh, double spacing, std::uint64_t seed,
                                   const MeshPart* part = nullptr);
 

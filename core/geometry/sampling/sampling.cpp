@@ -97,7 +97,7 @@ Vec3d pullInside(const SignedDistance& shape, const Vec3d& x, double margin) {
     Vec3d nextGradient;
     const double nextD = shape.distance(next, &nextGradient);
     if (nextD < d) at = next, d = nextD, gradient = nextGradient;
-    else depth *= 0.5;  // the step overshot the middle of a thin part
+    else depth *= 0.5;  // the step passed the middle of a thin part
   }
   return at;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sampling of a body or an opening. Positions depend on the shape and the spacing only, never on the
-// number of ranks.
+// Sampling of a body or an opening. Positions depend only on the shape and the spacing, not on the number of
+// ranks.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -10,13 +10,13 @@
 
 namespace thaw {
 
-/// Number of lattice points along a size that is not an integer number of spacings. Cover rounds up: points
-/// reach the surface. Fit rounds down: no point is nearer to the surface than half a spacing. Emitted liquid
-/// uses Fit, since Cover would push adjacent liquid away.
+/// Rounding of the number of lattice points along a length that is not a multiple of the spacing. Cover
+/// rounds up, so points reach the surface. Fit rounds down, so points keep at least half a spacing from the
+/// surface. Emitted liquid uses Fit, since Cover would push adjacent liquid away.
 enum class Layers { Cover, Fit };
 
-/// Cubic lattice around the bounding box of a body, centred on it, along the axes of the scene or of the
-/// body. A box of n spacings along them gets n points, the outer ones half a spacing inside.
+/// Cubic lattice centred on the bounding box of a body, along the axes of the scene or of the body. A box
+/// with an edge of n spacings gets n points along it. The outer points are half a spacing inside.
 struct SampleLattice {
   Vec3d corner{};                    ///< m, half a spacing below point (0, 0, 0) along each axis
   double spacing = 0;                ///< m
@@ -32,7 +32,7 @@ struct SampleLattice {
   }
 };
 
-/// Rows along x that a rank samples: [begin, end) of lattice.rows().
+/// Rows along x that a rank samples: range [begin, end) of lattice.rows().
 struct SampleRange {
   std::int64_t begin = 0, end = 0;
 };
@@ -40,24 +40,24 @@ struct SampleRange {
 /// Throws ShapeError if the bounds are not finite or the lattice has 2^40 points or more.
 SampleLattice sampleLattice(const SignedDistance& shape, double spacing, Layers layers = Layers::Cover);
 
-/// The same along the axes of the shape (axesOf), which follow its rotation in the scene.
+/// Returns the same along the axes of the shape (axesOf), which follow its rotation in the scene.
 SampleLattice turnedLattice(const SignedDistance& shape, double spacing, Layers layers = Layers::Cover);
 
 /// Returns the rows of one rank: equal shares, empty for some ranks if there are fewer rows than ranks.
 SampleRange sampleRange(const SampleLattice& lattice, int rank, int ranks);
 
-/// Returns the indices i, ascending, of the points of a row that are inside the shape. The number of such a
-/// point is i + count[0] * row: unique within the body and below 2^40. known: one object for all rows of a
+/// Returns the indices i, ascending, of the points of a row that are inside the shape. The number of a point
+/// is i + count[0] * row. It is unique within the body and below 2^40. known: one object for all rows of a
 /// body.
 std::vector<std::int64_t> insideOfRow(const SignedDistance& shape, const SampleLattice& lattice,
                                       std::int64_t row, KnownSides& known);
 
-/// Returns a lattice point moved randomly by up to `amount` spacings along each axis, as the start of a
-/// relaxed packing. The offset is a function of seed and id (unique over all bodies).
+/// Returns a lattice point (m) with a random offset of up to `amount` spacings along each axis, for the
+/// start of a relaxed packing. The offset is a function of seed and id (unique over all bodies).
 Vec3d jittered(const Vec3d& point, double amount, double spacing, std::uint64_t seed, std::uint64_t id);
 
-/// Moves a point against the gradient until it is at least `margin` (m) deep. In thinner shapes it gets as
-/// deep as a few steps allow. Points that are deep enough keep their bits.
+/// Moves a point against the gradient until it is at least `margin` (m) deep. In thinner shapes, it becomes
+/// as deep as a few steps allow. Points that are deep enough keep their bits.
 Vec3d pullInside(const SignedDistance& shape, const Vec3d& x, double margin);
 
 }  // namespace thaw

@@ -11,9 +11,9 @@ namespace thaw {
 
 using ShapePart = std::shared_ptr<const SignedDistance>;
 
-/// Minimum of the parts' distances for unions, else maximum of side * distance. The value is exact outside of
-/// unions and inside of the others; elsewhere it is a lower bound of the magnitude. Of equal parts the first
-/// gives the gradient.
+/// For unions, the distance is the minimum over the parts, else the maximum of side * distance. The value is
+/// exact outside of unions, and inside of differences and intersections. Elsewhere, its magnitude is a lower
+/// bound. Of parts with equal values, the first one gives the gradient.
 class CombinedDistance final : public SignedDistance {
  public:
   enum class Kind { Union, Difference, Intersection };
@@ -68,7 +68,7 @@ class PlacedDistance final : public SignedDistance {
   ShapePart part_;
   Placement placement_;
   Mat3d back_;            ///< inverse of the rotation
-  bool rotated_ = false;  ///< false: rotations are skipped, so unrotated shapes keep their exact bits
+  bool rotated_ = false;  ///< false: no rotation is applied, so unrotated shapes keep their bits
   Bounds bounds_;
 };
 
@@ -77,7 +77,7 @@ bool isIdentity(const Mat3d& matrix);
 /// Returns the axes of a shape in the scene, as columns: the rotation of its own placement.
 Mat3d axesOf(const SignedDistance& shape);
 
-/// Rotation about x, then y, then z by the angles given (rad): R = Rz Ry Rx.
+/// Returns the rotation about x, then y, then z by these angles (rad): R = Rz Ry Rx.
 Mat3d rotationXyz(const Vec3d& angles);
 
 }  // namespace thaw

@@ -17,7 +17,7 @@ double distanceToBox(const Bounds& b, const Vec3d& x) {
   return length(d);
 }
 
-/// Returns the mesh without the triangles that have the solid on both sides, where shells overlap.
+/// Returns the mesh without triangles that have the solid on both sides, because shells overlap there.
 TriangleMesh withoutBuried(const TriangleMesh& m, const TriangleBvh& surface) {
   const Bounds b = surface.bounds();
   const double offset = 1e-6 * length(b.max - b.min);
@@ -26,7 +26,8 @@ TriangleMesh withoutBuried(const TriangleMesh& m, const TriangleBvh& surface) {
     const Vec3d corners[] = {m.vertices[t[0]], m.vertices[t[1]], m.vertices[t[2]]};
     const Vec3d middle = (corners[0] + corners[1] + corners[2]) / 3.0,
                 normal = normalized(cross(corners[1] - corners[0], corners[2] - corners[0]));
-    // The inner side is always inside. Corners are tested slightly within the triangle, off its neighbours.
+    // The inner side is always inside the solid. Corners are tested slightly within the triangle, away from
+    // adjacent triangles.
     bool buried = true;
     for (const Vec3d& x :
          {middle, corners[0] + (middle - corners[0]) * 0.05, corners[1] + (middle - corners[1]) * 0.05,
@@ -50,8 +51,8 @@ struct DistanceOctree::Cube {
   std::atomic<State> state{Unknown};              // written last; the other members are constant from then on
   double distance = 0;                            // m, at the middle; signed if clear
   Vec3d closest{};                                // m, surface point closest to the middle
-  std::unique_ptr<std::array<Cube, 8>> children;  // null for the smallest cubes and those that the surface
-                                                  // does not cross
+  std::unique_ptr<std::array<Cube, 8>> children;  // null for the smallest cubes, and for cubes that the
+                                                  // surface does not cross
 };
 
 DistanceOctree::DistanceOctree(const TriangleBvh& near, const TriangleBvh& all)
@@ -66,7 +67,7 @@ DistanceOctree::~DistanceOctree() = default;
 
 void DistanceOctree::look(Cube& cube, const Vec3d& middle, double half, double bound, int depth) const {
   const std::lock_guard lock(looking_);
-  if (cube.state.load(std::memory_order_relaxed) != Cube::Unknown) return;  // another thread was first
+  if (cube.state.load(std::memory_order_relaxed) != Cube::Unknown) return;  // another thread has set it
   const ClosestPoint closest = near_.closest(middle, bound);
   cube.closest = closest.point;
   cube.distance = std::sqrt(closest.distance2);
@@ -118,7 +119,7 @@ double MeshDistance::signedFrom(const ClosestPoint& c, const Vec3d& x, bool insi
   if (gradient) {
     const Vec3d away = x - c.point;
     const Bounds b = surface_->bounds();
-    // On the surface the direction is noise, so the triangle's normal is used.
+    // On the surface, rounding errors dominate the direction, so the triangle's normal is used.
     if (d > 1e-9 * length(b.max - b.min)) *gradient = away * ((inside ? -1 : 1) / d);
     else *gradient = dot(c.normal, c.normal) > 0 ? c.normal : Vec3d{0, 0, 1};
   }
@@ -159,9 +160,9 @@ bool MeshDistance::inside(const Vec3d& x) const {
   return surface_->winding(x) > 0.5;
 }
 
-/// The sign changes only across a triangle: two points have the same sign if their bounding box touches none.
-/// The change is found by bisection. The sign of a stretch without triangles mostly follows from a known
-/// point of the previous line.
+/// The sign changes only across a triangle. Two points have the same sign if no triangle touches their
+/// bounding box. Bisection finds the change. A known point of the previous line mostly gives the sign of a
+/// stretch without triangles.
 void MeshDistance::insideAlong(std::span<const Vec3d> points, std::span<std::uint8_t> in,
                                KnownSides& known) const {
   if (!report_.closed) return SignedDistance::insideAlong(points, in, known);

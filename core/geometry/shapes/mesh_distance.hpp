@@ -11,9 +11,9 @@
 
 namespace thaw {
 
-/// Cubes that the surface does not cross, with the signed distance at their middle. They answer most queries
-/// far from the surface without testing a triangle, and bound the others. A cube is evaluated at the first
-/// query in it, so a rank evaluates only its part of a body. The result does not depend on the order of
+/// Cubes that the surface does not cross, with the signed distance (m) at their centre. Far from the surface,
+/// they give most results without a test of triangles, and bounds for the others. A cube is evaluated at the
+/// first query in it, so a rank evaluates only its part of a body. The result does not depend on the order of
 /// queries. Queries are safe from several threads.
 class DistanceOctree {
  public:
@@ -22,7 +22,8 @@ class DistanceOctree {
     double distance = 0;
     bool clear = false;
   };  ///< clear: the surface does not cross it
-  /// Distances are to `near`, signs are the winding numbers of `all`. Requires: both outlive this.
+  /// Distances are to `near`, and signs follow from winding numbers of `all`. Requires: both objects outlive
+  /// this one.
   DistanceOctree(const TriangleBvh& near, const TriangleBvh& all);
   ~DistanceOctree();
   bool covers(const Vec3d& x) const;
@@ -30,8 +31,8 @@ class DistanceOctree {
 
  private:
   struct Cube;
-  /// Evaluates a cube with this middle and half edge. `bound` (m) slightly exceeds the distance of the
-  /// middle.
+  /// Evaluates a cube with this centre and half edge (m). `bound` (m) slightly exceeds the distance of the
+  /// surface from the centre.
   void look(Cube& cube, const Vec3d& middle, double half, double bound, int depth) const;
   const TriangleBvh &near_, &all_;
   std::unique_ptr<Cube> root_;
@@ -40,9 +41,10 @@ class DistanceOctree {
   double half_ = 0;
 };
 
-/// The mesh is repaired first (mesh_repair.hpp). The distance is to the nearest triangle, patches of holes
-/// included; the sign is that of the winding number minus 1/2. Where shells overlap, triangles buried in
-/// another shell do not count. Partly buried triangles do, so distances inside may be too small near them.
+/// The mesh is repaired first (mesh_repair.hpp). The distance is to the nearest triangle, including
+/// triangles that close holes. The sign follows from the winding number minus 1/2. Where shells overlap,
+/// triangles buried in another shell do not count. Partly buried triangles count, so distances inside may be
+/// too small near them.
 class MeshDistance final : public SignedDistance {
  public:
   MeshDistance(const TriangleMesh& mesh, std::string name);

@@ -11,8 +11,8 @@
 namespace thaw {
 namespace {
 
-/// Multiples of the period that move [low, high] to an intersection with [from, to]; without a period 0 or
-/// none.
+/// Multiples of the period by which [low, high] must move to intersect [from, to]. Without a period, only 0
+/// is possible.
 struct Shifts {
   std::int64_t first, last;
 };
@@ -23,7 +23,7 @@ Shifts shiftsOf(double low, double high, double from, double to, double period) 
           static_cast<std::int64_t>(std::floor((to - low) / period))};
 }
 
-/// Returns the boxes that intersect box b or one of its images, without b itself; ascending.
+/// Returns the other boxes that intersect box b or one of its periodic images, ascending.
 std::vector<std::size_t> intersecting(const BoxTree& tree, std::size_t b, const Vec3d& period) {
   const Bounds &own = tree.box(b), around = tree.bounds();
   Shifts s[3];
@@ -76,8 +76,8 @@ OverlapCounts OverlapTest::noCounts() const {
   return counts;
 }
 
-/// Returns true if is(position, moved) holds for an image of x in the bounds of body b; moved: by at least
-/// one period.
+/// Returns true if is(position, moved) is true for an image of x in the bounds of body b. moved: true if the
+/// image is moved by at least one period.
 template<class Is> bool OverlapTest::anyImage(std::size_t b, const Vec3d& x, Is&& is) const {
   const Bounds& in = bounds_[b];
   Shifts s[3];

@@ -12,8 +12,8 @@
 
 namespace thaw {
 
-/// Number of samples of body a that lie inside body b, for each pair of bodies with intersecting boxes
-/// (OverlapTest::noCounts). Counts of several ranks are added pair by pair.
+/// Number of samples of body a inside body b, for each pair of bodies with intersecting boxes
+/// (OverlapTest::noCounts). Counts of all ranks are added for each pair.
 struct OverlapCounts {
   std::vector<std::pair<std::size_t, std::size_t>> pair;  ///< (a, b), ascending
   std::vector<std::int64_t> count;                        ///< one per pair
@@ -24,14 +24,14 @@ struct OverlapCounts {
 /// Tests samples only against bodies with intersecting bounding boxes.
 class OverlapTest {
  public:
-  /// period: m, of the domain along periodic axes, 0 along others. Overlaps across periodic sides count.
+  /// period: m, of the domain along periodic axes, 0 along other axes. Overlaps across periodic sides count.
   explicit OverlapTest(std::vector<std::shared_ptr<const SignedDistance>> bodies, const Vec3d& period = {});
   /// Returns all pairs with counts of 0.
   OverlapCounts noCounts() const;
-  /// Counts the bodies that contain a sample of body a at x (m), and returns true if the rule keeps the
-  /// sample. Error and Keep keep all samples. RemoveLater removes a sample that an earlier body contains,
-  /// RemoveEarlier one that a later body contains. With Error the caller stops the run if the counts over all
-  /// ranks are not zero.
+  /// Counts the bodies that contain a sample of body a at x (m). Returns true if the rule keeps the sample.
+  /// Error and Keep keep all samples. RemoveLater removes a sample inside an earlier body, RemoveEarlier a
+  /// sample inside a later body. With Error, the caller stops the run if the counts over all ranks are not
+  /// zero.
   bool keeps(std::size_t a, const Vec3d& x, OverlapRule rule, OverlapCounts& counts) const;
   /// Returns true if a periodic image of a sample of body a lies inside the same body.
   bool meetsItself(std::size_t a, const Vec3d& x) const;

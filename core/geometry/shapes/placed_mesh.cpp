@@ -9,7 +9,7 @@
 namespace thaw {
 namespace {
 
-/// Shape with extents only, which is all that a placement needs.
+/// Shape with extents only. A placement needs no more.
 class MeshReach final : public SignedDistance {
  public:
   explicit MeshReach(const TriangleMesh& mesh) : mesh_(mesh), bounds_(boundsFromExtents(*this)) {}

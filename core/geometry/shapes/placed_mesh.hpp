@@ -8,18 +8,20 @@
 namespace thaw {
 
 struct PlacedMesh {
-  TriangleMesh mesh;  ///< repaired, in the frame of the scene; with the colours and normals of its file
+  TriangleMesh mesh;  ///< repaired mesh in the frame of the scene, with the colours and normals of the file
   MeshReport report;
   Placement placement;  ///< placement of the mesh's own frame
 };
 
-/// Requires a shape of kind Mesh. Throws ShapeError and the errors of the loader.
+/// Returns the repaired mesh of a shape. Requires: ShapeKind::Mesh. Throws ShapeError and the loader's
+/// exceptions.
 PlacedMesh makePlacedMesh(const Shape& shape, const MeshLoader& load);
 
-/// As makePlacedMesh, for a surface that may be open and then stays open (repairSurface).
+/// As makePlacedMesh, but an open surface stays open (repairSurface).
 PlacedMesh makePlacedSurface(const Shape& shape, const MeshLoader& load);
 
-/// Returns the placement of a shape of any kind with this mesh in its own frame. Throws ShapeError.
+/// Returns the placement of a shape of any kind. mesh: the shape's surface in its own frame. Throws
+/// ShapeError.
 Placement placementOfMesh(const Shape& shape, const TriangleMesh& mesh);
 
 /// Applies the placement of a shape of any kind to a mesh. Throws ShapeError.

@@ -8,8 +8,8 @@
 namespace thaw {
 namespace {
 
-/// Angular velocity of R = Rz Ry Rx with angles changing at `rates`: each rate acts about its axis, carried
-/// by the later rotations.
+/// Returns the angular velocity (rad/s) of R = Rz Ry Rx, with angles (rad) that change at `rates` (rad/s).
+/// Each rate acts about its axis, which the later rotations turn.
 Vec3d angularVelocityOf(const Vec3d& angles, const Vec3d& rates) {
   const Vec3d aboutX = rotationXyz({0, angles.y, angles.z}) * Vec3d{1, 0, 0},
               aboutY = rotationXyz({0, 0, angles.z}) * Vec3d{0, 1, 0};

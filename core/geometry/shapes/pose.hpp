@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Position and velocity of a moving obstacle.
+// Position, orientation and velocity of a moving obstacle.
 #pragma once
 #include <vector>
 
@@ -19,12 +19,12 @@ struct Pose {
   bool moved = false;                    ///< false: the rest pose; positions keep their bits
 };
 
-/// Returns the pose at a time (s). Position and angles are linear between keyframes (times ascending; of
-/// equal times the last counts) and constant before the first and after the last. At a keyframe the velocity
-/// is that of the piece that begins there.
+/// Returns the pose at a time (s). Position and angles are linear between keyframes, and constant before the
+/// first and after the last. Times of keyframes ascend; of equal times, the last one counts. At a keyframe,
+/// the velocity is that of the interval that begins there.
 Pose poseAt(const std::vector<Keyframe>& motion, double time);
 
-/// Returns a static pose with the given move and angles.
+/// Returns a static pose with this move (m) and these angles (rad).
 Pose poseOf(const Vec3d& move, const Vec3d& rotate);
 
 Vec3d toRest(const Pose& pose, const Vec3d& x);    ///< maps a point of the scene to the rest frame, m

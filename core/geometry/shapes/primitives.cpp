@@ -52,14 +52,15 @@ double HalfSpaceDistance::distance(const Vec3d& x, Vec3d* gradient) const {
 double HalfSpaceDistance::alongNormal(const Vec3d& direction, const Vec3d& normal, double offset) {
   const double l = length(direction);
   if (l == 0) return 0;
-  // Tolerates rounding of a rotated direction.
+  // The tolerance allows for rounding of a rotated direction.
   return length(direction / l - normal) < 1e-12 ? l * offset : never;
 }
 
 RevolvedDistance::RevolvedDistance(std::vector<Point> outline) : outline_(std::move(outline)), convex_(true) {
   for (std::size_t k = 2; k < outline_.size(); k++) {
     const Point &a = outline_[k - 2], &b = outline_[k - 1], &c = outline_[k];
-    convex_ = convex_ && (b.r - a.r) * (c.z - b.z) - (b.z - a.z) * (c.r - b.r) >= 0;  // never turns right
+    convex_ = convex_ && (b.r - a.r) * (c.z - b.z) - (b.z - a.z) * (c.r - b.r) >= 0;  // the outline never
+                                                                                      // turns right
   }
 }
 
@@ -78,7 +79,7 @@ double RevolvedDistance::distance(const Vec3d& x, Vec3d* gradient) const {
                                                                // right
     }
     size = std::max({size, std::abs(b.r), std::abs(b.z)});
-    // Crossings of the ray from (r, z) away from the axis.
+    // Counts crossings of the ray from (r, z) away from the axis.
     if ((a.z > z) != (b.z > z) && r < a.r + (z - a.z) / ez * er) inside = !inside;
   }
   const double d = std::sqrt(best);

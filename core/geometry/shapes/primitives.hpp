@@ -10,7 +10,7 @@ namespace thaw {
 class BoxDistance final : public SignedDistance {
  public:
   explicit BoxDistance(const Vec3d& size) : half_(0.5 * size) {}
-  /// Gradient inside: towards the nearest face; ties go to x, then y, then z.
+  /// The gradient inside points towards the nearest face. Ties go to x, then y, then z.
   double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;
   Bounds bounds() const override { return {-half_, half_}; }
   bool convex() const override { return true; }
@@ -34,7 +34,7 @@ class SphereDistance final : public SignedDistance {
 class TorusDistance final : public SignedDistance {
  public:
   TorusDistance(double ring, double tube) : ring_(ring), tube_(tube) {}  ///< ring around z
-  /// Gradient on the axis: from the ring's +x; on the ring: outward.
+  /// On the axis, the gradient points away from the ring's point on +x. On the ring, it points outward.
   double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;
   Bounds bounds() const override { return boundsFromExtents(*this); }
   double extent(const Vec3d& direction) const override;
@@ -61,15 +61,15 @@ class HalfSpaceDistance final : public SignedDistance {
   double offset_;  ///< dot(normal, x) on the plane
 };
 
-/// Solid of revolution about z. The outline in the half-plane (distance from the axis, z) is a chain of
-/// straight pieces with the solid on their left. It begins and ends on the axis.
+/// Solid of revolution about z. The outline in the half-plane (distance from the axis, z) consists of
+/// straight pieces with the solid on their left. The outline begins and ends on the axis.
 class RevolvedDistance final : public SignedDistance {
  public:
   struct Point {
     double r, z;
   };
   explicit RevolvedDistance(std::vector<Point> outline);
-  /// Gradient on the axis: radial means +x; of equally near pieces the first counts.
+  /// On the axis, +x is the radial direction. Of equally near pieces, the first one gives the gradient.
   double distance(const Vec3d& x, Vec3d* gradient = nullptr) const override;
   Bounds bounds() const override { return boundsFromExtents(*this); }
   double extent(const Vec3d& direction) const override;
@@ -80,9 +80,10 @@ class RevolvedDistance final : public SignedDistance {
   bool convex_;
 };
 
-/// Outline of a cylinder centred on the origin.
+/// Returns the outline of a cylinder (m) centred on the origin.
 std::vector<RevolvedDistance::Point> cylinderOutline(double radius, double height);
-/// Outline of a glass that stands on z = 0 and is open at the top; thickness of wall and floor.
+/// Returns the outline of a glass (m) that stands on z = 0 and is open at the top. thickness: of wall and
+/// floor.
 std::vector<RevolvedDistance::Point> glassOutline(double radius, double height, double thickness);
 
 }  // namespace thaw

@@ -16,7 +16,7 @@ namespace {
 using std::numbers::pi;
 using Outline = std::vector<RevolvedDistance::Point>;
 
-/// Region in which planes are shown.
+/// Region (m) in which planes are shown.
 struct Ball {
   Vec3d centre{};
   double radius = 0;
@@ -58,8 +58,8 @@ TriangleMesh squareOf(const Shape& s, const Ball& seen) {
   return {{middle - u - v, middle + u - v, middle + u + v, middle - u + v}, {{0, 1, 2}, {0, 2, 3}}};
 }
 
-/// Returns triangles of an extension's shape. The smallest resolved radius is twice a cube's edge. A chord of
-/// one edge on it is at most `sag` off the surface.
+/// Returns triangles of an extension's shape. The smallest resolved radius is twice a cube's edge. On this
+/// radius, a chord of one edge deviates from the surface by at most `sag` (m).
 TriangleMesh extensionMesh(const Shape& s, double sag) {
   constexpr double most = 160;  // cubes along the longest edge
   const std::shared_ptr<const SignedDistance> shape = makeSignedDistance(s);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int points = 96;  // per edge
 
-/// Returns the volume if a formula exists.
+/// Returns the volume (m^3) if a formula exists.
 std::optional<double> exactVolume(const Shape& s) {
   if (s.fitHeight) return {};
   const double scale3 = s.scale * s.scale * s.scale, pi = std::numbers::pi;
@@ -40,7 +40,7 @@ std::int64_t countInside(const SignedDistance& shape, const Raster& r, const Red
   for (int row = all.rank(); row < points * points; row += all.size()) {
     const double y = r.box.min.y + (row % points + 0.5) * r.cell.y;
     const double z = r.box.min.z + (row / points + 0.5) * r.cell.z;
-    for (int i = 0; i < points;) {  // all points nearer than the surface are on the same side
+    for (int i = 0; i < points;) {  // all points closer than the surface are on the same side
       const Vec3d x{r.box.min.x + (i + 0.5) * r.cell.x, y, z};
       const double d = gaps ? 0 : shape.distanceWithin(x, 8 * r.cell.x);
       const double far = std::min(std::abs(d) / r.cell.x * (1 - 1e-9), 1e6);

@@ -9,9 +9,9 @@
 
 namespace thaw {
 
-/// Returns the volume of each shape (m^3), exact for boxes, spheres, cylinders and tori. For others, 96
-/// points along each edge of the bounding box are distributed over the ranks (accurate to 0.3 %). The result
-/// is the same on any number of ranks; 0 for infinite shapes. Collective.
+/// Returns the volume of each shape (m^3), exact for boxes, spheres, cylinders and tori. For other shapes, it
+/// counts points inside, 96 along each edge of the bounding box, distributed over the ranks (accurate to 0.3
+/// %). Infinite shapes give 0. The result is the same on any number of ranks. Collective.
 std::vector<double> shapeVolumes(std::span<const Shape* const> shapes, const MeshLoader& load, Reducer& all);
 
 }  // namespace thaw

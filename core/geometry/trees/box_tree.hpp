@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Queries for boxes that intersect a box, in a tree of bounding boxes.
+// Tree of bounding boxes, with queries for boxes that intersect a box.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -22,7 +22,7 @@ class BoxTree {
   struct Node {
     Bounds around;
     std::size_t begin, end;  ///< range of its boxes in order_
-    std::size_t right;       ///< the second child; the first is the next node; 0: a leaf
+    std::size_t right;       ///< second child; the first child is the next node. 0: a leaf
   };
   std::size_t build(std::size_t begin, std::size_t end);
   std::vector<Bounds> boxes_;

@@ -35,15 +35,15 @@ std::vector<std::uint32_t> PointTree::nearest(const Vec3d& x, std::size_t count)
   const std::vector<Vec3d>& p = points();
   count = std::min(count, p.size());
   if (count == 0) return {};
-  // One more point shows whether others are as far as the last one.
+  // One more point shows whether other points have the distance of the last one.
   std::vector<std::uint32_t> found(std::min(count + 1, p.size()));
   std::vector<double> far2(found.size());
   const double at[3] = {x.x, x.y, x.z};
   const std::size_t n = tree_->index.knnSearch(at, found.size(), found.data(), far2.data());
   found.resize(n);
   const double last = far2[std::min(count, n) - 1];
-  // All points as far as the last one are included, so that ties do not depend on the tree. The added term
-  // keeps the square of a tiny radius above 0.
+  // All points with the distance of the last one are included, so ties do not depend on the tree. The added
+  // term keeps the square of a tiny radius above 0.
   if (n > count && !(far2[count] > last * (1 + 1e-11) + 1e-290))
     found = within(x, std::sqrt(last) * (1 + 1e-12) + 1e-150);
   std::sort(found.begin(), found.end(), [&](std::uint32_t a, std::uint32_t b) {

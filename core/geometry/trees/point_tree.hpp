@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nearest neighbours of scattered points without a common spacing, from a kd-tree (nanoflann).
+// Nearest neighbours of scattered points without a common spacing, by a kd-tree (nanoflann).
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -13,8 +13,8 @@ class PointTree {
  public:
   explicit PointTree(const std::vector<Vec3d>& points);  ///< copies the points
   ~PointTree();
-  /// Returns the `count` nearest points (fewer if there are fewer), nearest first, at equal distances the
-  /// lower number first. The result is the same on all machines.
+  /// Returns the `count` nearest points, or all if there are fewer. The nearest point is first; of equal
+  /// distances, the lower number is first. The result is the same on all machines.
   std::vector<std::uint32_t> nearest(const Vec3d& x, std::size_t count) const;
   /// Returns all points within a radius (m), ascending by number.
   std::vector<std::uint32_t> within(const Vec3d& x, double radius) const;

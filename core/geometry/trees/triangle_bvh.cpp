@@ -12,7 +12,7 @@ constexpr int mostBins = 16;
 constexpr std::uint32_t leafSize = 4;
 constexpr std::uint32_t exactRadius = 64;  // largest group of triangles whose radius is computed exactly from
                                            // its corners
-constexpr int fairDepth = 40;  // below it nodes are split by count, which bounds the depth for any input
+constexpr int fairDepth = 40;  // deeper nodes are split by count, which bounds the depth for any input
 
 Vec3d lower(const Vec3d& a, const Vec3d& b) {
   return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
@@ -80,7 +80,7 @@ struct TriangleBvh::Builder {
     return half;
   }
 
-  /// Returns the bin before which to split; 0: no bin is better.
+  /// Returns the bin before which to split; 0: no split is better.
   template<class BinOf>
   int splitOf(std::uint32_t first, std::uint32_t last, int bins, const BinOf& binOf) const {
     std::array<Box, mostBins> box;
@@ -132,7 +132,7 @@ struct TriangleBvh::Builder {
     return area;
   }
 
-  /// Makes the node of items[first, last) and its subtree; returns its area.
+  /// Creates the node of items[first, last) and its subtree. Returns the node's area.
   double make(std::uint32_t first, std::uint32_t last, int depth) {
     const std::size_t self = tree.nodes_.size(), begin = tree.triangles_.size();
     tree.nodes_.emplace_back();

@@ -21,8 +21,7 @@ class TriangleBvh {
  public:
   /// Requires: valid indices and finite vertices.
   explicit TriangleBvh(const TriangleMesh& mesh);
-  /// Returns the closest point nearer than `reach` (m). Of equally near points the first in a fixed order is
-  /// taken.
+  /// Returns the closest point within `reach` (m). Of equally close points, it is the first in a fixed order.
   ClosestPoint closest(const Vec3d& x, double reach = std::numeric_limits<double>::infinity()) const;
   /// Returns the winding number at x: 1 inside and 0 outside a closed, outward surface, accurate to 0.1. A
   /// group of triangles counts as a dipole beyond `accuracy` times its radius.
@@ -37,7 +36,7 @@ class TriangleBvh {
   };
   struct Node {
     Vec3d low, high;
-    std::uint32_t first = 0;  ///< leaf: first triangle; else the second child (the first one follows its
+    std::uint32_t first = 0;  ///< leaf: first triangle; else the second child (the first child follows its
                               ///< parent)
     std::uint32_t count = 0;  ///< leaf: triangles; else 0
   };

@@ -10,7 +10,8 @@ namespace thaw {
 namespace {
 
 using std::numbers::pi;
-constexpr std::size_t deepest = 128;  // levels below fairDepth halve by count: 40 + 32 are enough
+constexpr std::size_t deepest = 128;  // 40 + 32 levels are enough, since levels below fairDepth halve the
+                                      // count
 
 Vec3d closestOfSegment(const Vec3d& a, const Vec3d& b, const Vec3d& x) {
   const Vec3d e = b - a;
@@ -50,7 +51,7 @@ double windingOfTriangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, const V
   const double lu = length(u), lv = length(v), lw = length(w);
   const double volume = dot(u, cross(v, w));
   const double rest = lu * lv * lw + dot(u, v) * lw + dot(v, w) * lu + dot(w, u) * lv;
-  return volume == 0 ? 0 : std::atan2(volume, rest) / (2 * pi);  // on the triangle itself: the mean of both
+  return volume == 0 ? 0 : std::atan2(volume, rest) / (2 * pi);  // 0 on the triangle itself: the mean of both
                                                                  // sides
 }
 

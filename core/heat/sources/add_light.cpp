@@ -12,7 +12,7 @@
 namespace thaw {
 namespace {
 
-/// Bounds of the particles of all ranks; inverted without particles.
+/// Returns the bounds of the particles of all ranks. Without particles, min exceeds max.
 Bounds boundsOfAll(const Continuum& p, Reducer& all) {
   std::array<double, 6> extent;
   extent.fill(-never);
@@ -27,7 +27,8 @@ Bounds boundsOfAll(const Continuum& p, Reducer& all) {
   return {{-extent[0], -extent[1], -extent[2]}, {extent[3], extent[4], extent[5]}};
 }
 
-/// Returns true if no obstacle has moved or changed its presence since the last call. Records their poses.
+/// Returns true if no obstacle has moved, appeared or vanished since the last call. Records the obstacles'
+/// poses.
 bool obstaclesStayed(const Walls& walls, LightWork& work) {
   bool same = work.obstacles.size() == walls.list.size();
   work.obstacles.resize(walls.list.size());
@@ -51,7 +52,7 @@ bool sameRays(const CellLights& known, const LightView& v, const LightSource& s)
          known.source.radius == s.radius && known.source.direction == s.direction;
 }
 
-/// Makes the table of a view's cells. Cells known from earlier steps keep their values.
+/// Creates the table of a view's cells. Cells known from earlier steps keep their values.
 void updateLights(CellLights& lights, const LightView& v, const LightSource& s) {
   const bool same = sameRays(lights, v, s);
   if (same && lights.view.low == v.low && lights.view.count == v.count) return;

@@ -7,7 +7,8 @@
 
 namespace thaw {
 
-/// Light (W) that each owned particle receives, before reflection. Empty without such sources.
+/// Light (W) that each owned particle receives, before reflection. A list is empty without sources of its
+/// type.
 struct LightReceived {
   std::vector<double> lamps, lasers;
 };

@@ -19,8 +19,8 @@ void give(const HeatView& w, std::size_t i, double flow, double dt, ExactSum& ab
   absorbed.add(flow * dt);
 }
 
-/// Makes an entry for each source of the scene. Other sources than before have unknown shares of what was
-/// absorbed: any of it counts for all of their kind.
+/// Creates an entry for each source of the scene. After a change of sources, the energy absorbed from each
+/// one is unknown. If a type of source has heated anything, all sources of the type count as used.
 void listSources(const Scene& s, Ledger& ledger) {
   if (ledger.sourceUse.size() == s.lamps.size() + s.lasers.size() + s.heatedRegions.size()) return;
   ledger.sourceUse.clear();
@@ -42,8 +42,8 @@ void absorb(const HeatView& w, const std::vector<double>& received, double dt, S
   }
 }
 
-/// Returns the largest step (s) in which a source with the rest position x (m) moves at most `most` (m), also
-/// where it begins to move within the step.
+/// Returns the largest step (s) in which a source with the rest position x (m) moves at most `most` (m). The
+/// source may begin to move within the step.
 template<class Source> double limitOf(const Source& source, const Vec3d& x, double time, double most) {
   double at = time, left = most;
   for (const Keyframe& next : source.motion) {

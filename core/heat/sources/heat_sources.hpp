@@ -14,7 +14,7 @@ namespace thaw {
 
 struct LightTarget {
   HeatView heat;
-  const Walls& walls;  ///< at their places at the end of the step
+  const Walls& walls;  ///< at their positions at the end of the step
   LightWork& work;
 };
 
@@ -22,20 +22,21 @@ struct LightTarget {
 std::vector<std::uint32_t> rowsInRegion(const HeatedRegion& region, const SignedDistance& shape,
                                         const Pose& pose, const Continuum& particles);
 
-/// Adds the absorbed light of lamps and lasers to heatFlow and Continuum::absorbed for the step of length dt
-/// (s) that begins now, by positions at its end. Moving sources are where they are in the middle of the step.
-/// Records the energies in Ledger::lamps, lasers and sourceUse, and in heatIn. dt = 0: at the start, for
+/// Adds the absorbed light of lamps and lasers to heatFlow and Continuum::absorbed, for the step of dt
+/// (s) that begins now. Particles are at their positions at the end of the step, moving sources at those in
+/// its middle. Records the energies in Ledger::lamps, lasers, sourceUse and heatIn. dt = 0: at the start, for
 /// frames. Requires: Modules::lamps. Collective.
 void addLight(const LightTarget& target, double dt, Reducer& all);
 
-/// The same for heated regions, in Ledger::regions and sourceUse. shapes: those of Scene::heatedRegions.
+/// Does the same for heated regions, with Ledger::regions and sourceUse. shapes: shapes of
+/// Scene::heatedRegions.
 void addRegionHeat(const HeatView& view, const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
                    double dt, Reducer& all);
 
-/// Largest step (s) for moving lamps and lasers at this time (s): none moves farther than half of its beam's
-/// radius, or half a spacing.
+/// Returns the largest step (s) for moving lamps and lasers from this time (s). A lamp moves at most half a
+/// spacing. A laser moves at most half a spacing or half its beam's radius, whichever is larger.
 double lightStepLimit(const Scene& scene, double time);
-/// The same for heated regions.
+/// Does the same for heated regions.
 double regionStepLimit(const Scene& scene, double time);
 
 }  // namespace thaw

@@ -7,12 +7,12 @@
 namespace thaw {
 namespace {
 
-/// Part of a ray, between two distances (m).
+/// Interval of a ray between two distances (m).
 struct Stretch {
   double from, to;
 };
 
-/// Part of a stretch within a box.
+/// Returns the part of a stretch within a box.
 Stretch within(const LightRay& ray, const Bounds& box, Stretch s) {
   for (int a = 0; a < 3; a++) {
     const double x = ray.start[a], d = ray.direction[a];
@@ -27,7 +27,7 @@ Stretch within(const LightRay& ray, const Bounds& box, Stretch s) {
   return s;
 }
 
-/// The default shape of a domain side is a box, and only its bounds are infinite.
+/// Returns true for a side of the domain. Such a wall has the default shape, a box, with infinite bounds.
 bool isDomainSide(const Wall& w) {
   return w.properties.shape.kind == ShapeKind::Box && !std::isfinite(w.bounds.min.x);
 }

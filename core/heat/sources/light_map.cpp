@@ -10,13 +10,13 @@ namespace thaw {
 namespace {
 
 // In spacings.
-constexpr double meetReach = 0.75;    ///< beyond the corner of a lattice cell, 0.71
+constexpr double meetReach = 0.75;    ///< larger than the distance of a lattice cell's corner, 0.71
 constexpr double outline = 0.583;     ///< discs of this radius around a row of particles reach half a spacing
-                                      ///< beyond it on average
+                                      ///< beyond the row on average
 constexpr double deepestWeight = 28;  ///< absorption depths after which integer weights are 0
-constexpr double layer = 0.75;  ///< depth in which particles count as exposed: less than a lattice layer
+constexpr double layer = 0.75;  ///< particles count as exposed up to this depth: less than a lattice layer
 
-/// Distance (m) up to which a ray meets a particle. Wider cells need a larger one.
+/// Returns the distance (m) up to which a ray hits a particle. Wider cells need a larger distance.
 double meetReachOf(const LightView& v, double depth, double spacing) {
   return std::max(meetReach * spacing, 0.75 * cellWidth(v, depth));
 }
@@ -33,10 +33,10 @@ bool atOutline(const LightMap& map, const LightView& v, std::size_t cell) {
   return false;
 }
 
-/// Rays near a group. all: each of them meets a particle.
+/// Depths of the rays near a group. all: every ray hits a particle.
 struct GroupDepths {
   bool all = true;
-  double deepest = -never;  ///< m, largest depth of those that do
+  double deepest = -never;  ///< m, largest depth of the rays that hit a particle
 };
 
 GroupDepths depthsNear(const LightMap& map, const LightView& v, const CellRange& range) {
@@ -53,7 +53,7 @@ GroupDepths depthsNear(const LightMap& map, const LightView& v, const CellRange&
   return d;
 }
 
-/// Returns true if the rays meet particles nearer than this depth (m), or none.
+/// Returns true if each ray either hits a particle nearer than this depth (m) or hits none.
 bool isHidden(const LightMap& map, const LightView& v, const CellRange& range, double depth) {
   for (std::int64_t j = range.low[1]; j < range.high[1]; j++) {
     const std::size_t row = v.first + static_cast<std::size_t>((j - v.low[1]) * v.count[0]);
@@ -132,7 +132,7 @@ void findDepths(const Continuum& p, double spacing, LightWork& w, Reducer& all) 
       const double near = centre.depth - group.radius, width = cellWidth(v, centre.depth + group.radius);
       const CellRange range = cellsNear(v, centre, group.radius + std::max(spacing, width) + 1.5 * width);
       if (range.empty()) continue;
-      // Rows behind all that the rays and those around them meet change neither depth nor outline.
+      // A group behind all particles that the rays here hit changes neither depth nor outline.
       if (const GroupDepths d = depthsNear(w.map, v, range); d.all && d.deepest <= near) continue;
       for (std::size_t i = group.begin; i < group.end; i++) {
         const Sight s = sightOf(v, p.position[i]);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t areaPoints = 16;  ///< four along each edge
 
-/// Axes across the direction of an area lamp: `width` along the horizontal one.
+/// Returns the axes normal to the direction of an area lamp. The first one, along `width`, is horizontal.
 std::array<Vec3d, 2> edgesOf(const Vec3d& direction) {
   const Vec3d flat = cross({0, 0, 1}, direction);
   const Vec3d side = length(flat) > 1e-9 ? normalized(flat) : Vec3d{1, 0, 0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lamps and lasers of a scene as light of one step.
+// Converts lamps and lasers of a scene to the light of one step.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace thaw {
 
-/// Returns the light of the step [begin, end] (s). An area lamp shines from one of 16 points, in turn by the
-/// number of the step.
+/// Returns the light of the step [begin, end] (s). An area lamp shines from one of 16 points, selected in
+/// turn by the step number.
 std::vector<LightSource> lightSources(const Scene& scene, double begin, double end, std::int64_t step);
 
-/// Power (W) of lamps, or of lasers. That of a lamp with a direction is the light that enters the domain.
+/// Returns the power (W) of a source. For a lamp with a direction, it is the light that enters the domain.
 double givenPower(const LightSource& source, const Domain& domain);
 
 }  // namespace thaw

@@ -12,12 +12,13 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double mostCells = 1 << 21;  ///< largest number in a view
-constexpr double beamRadii = 3;        ///< half width of a beam: 2e-9 of its power lies farther out
+constexpr double mostCells = 1 << 21;  ///< largest number of cells in a view
+constexpr double beamRadii = 3;        ///< half width of a beam, in its radii: 2e-9 of the power lies farther
+                                       ///< out
 constexpr double widestCell = 0.5;     ///< spacings
 constexpr double margin = 2;           ///< spacings around the bodies
 
-/// Unit vector across n.
+/// Returns a unit vector normal to n.
 Vec3d acrossOf(const Vec3d& n) { return normalized(cross(leastAxis(n), n)); }
 
 std::array<Vec3d, 8> cornersOf(const Bounds& b) {
@@ -62,7 +63,7 @@ void addParallelView(const LightSource& s, LightView v, const Bounds& bodies, do
   if (setCells(v, low, high)) append(v, views);
 }
 
-/// Returns true if bodies lie beyond one of the planes through the point and an edge of the face.
+/// Returns true if all bodies lie beyond one of the planes through the point and an edge of the face.
 bool missesFace(const LightView& v, const std::array<Vec3d, 8>& corners, double margins) {
   for (int a = 0; a < 2; a++)
     for (const double sign : {1.0, -1.0}) {
@@ -75,9 +76,9 @@ bool missesFace(const LightView& v, const std::array<Vec3d, 8>& corners, double 
   return false;
 }
 
-/// Width of the cells of a cube's faces (a tangent): half a spacing at a mean distance of the bodies, at most
-/// one at the farthest. A whole number of them, from a few, covers half of a face, so that cells seldom
-/// change as bodies move.
+/// Returns the cell width of a cube's faces (a tangent): half a spacing at a mean distance of the bodies, and
+/// at most one spacing at the largest. The number of cells across half a face takes only a few values, so
+/// cells seldom change as bodies move.
 double faceCell(const Vec3d& origin, const Bounds& bodies, double spacing) {
   Vec3d near{}, far{};
   for (int a = 0; a < 3; a++) {
@@ -89,7 +90,8 @@ double faceCell(const Vec3d& origin, const Bounds& bodies, double spacing) {
   return 1 / std::ceil(std::exp2(std::ceil(4 * std::log2(cells)) / 4));
 }
 
-/// Adds a face of the cube around a point: all of it unless all corners of the bodies' bounds are ahead.
+/// Adds a face of the cube around a point. If all corners of the bodies' bounds are ahead, only the part
+/// towards the bodies is added.
 void addFace(LightView v, const Bounds& bodies, double spacing, std::vector<LightView>& views) {
   std::array<double, 2> low{never, never}, high{-never, -never};
   const std::array<Vec3d, 8> corners = cornersOf(bodies);
@@ -116,22 +118,23 @@ void addFace(LightView v, const Bounds& bodies, double spacing, std::vector<Ligh
   if (setCells(v, low, high)) append(v, views);
 }
 
-/// Integral of the solid angle from the face's middle to (x, y).
+/// Returns the integral of the solid angle over the rectangle from the face's centre to (x, y).
 double solidAngle(double x, double y) { return std::atan2(x * y, std::sqrt(1 + x * x + y * y)); }
 
-/// Integral of the cosine to `ahead` over pi, from the face's middle to (x, y).
+/// Returns the integral of (cosine to `ahead`) / pi over the solid angle, from the face's centre to (x, y).
 double cosineAhead(double x, double y) {
   const double a = std::sqrt(1 + x * x), b = std::sqrt(1 + y * y);
   return (x / a * std::atan(y / a) + y / b * std::atan(x / b)) / (2 * pi);
 }
 
-/// Integral of the cosine to `up` over pi, up to (x, y) from any y.
+/// Returns the integral of (cosine to `up`) / pi over the solid angle, up to (x, y). Its lower limit in y is
+/// arbitrary.
 double cosineUp(double x, double y) {
   const double b = std::sqrt(1 + y * y);
   return -std::atan(x / b) / b / (2 * pi);
 }
 
-/// Value of an integral over the part of a cell on the face.
+/// Returns the integral over the part of a cell on the face. corner(x, y): the antiderivative.
 template<class Corner> double overCell(double x, double y, double cell, Corner&& corner) {
   const double right = std::min(x + cell, 1.0), top = std::min(y + cell, 1.0);
   x = std::max(x, -1.0), y = std::max(y, -1.0);
@@ -139,7 +142,8 @@ template<class Corner> double overCell(double x, double y, double cell, Corner&&
   return corner(right, top) - corner(x, top) - corner(right, y) + corner(x, y);
 }
 
-/// Fraction of a Gaussian beam's power between two coordinates (m) on one axis across it.
+/// Returns the fraction of a Gaussian beam's power between two coordinates (m) along one axis normal to the
+/// beam.
 double gaussianBetween(double from, double to, double radius) {
   const double scale = std::numbers::sqrt2 / radius;
   return 0.5 * (std::erf(scale * to) - std::erf(scale * from));
@@ -187,7 +191,7 @@ double powerOfCell(const LightSource& s, const LightView& v, std::int64_t i, std
     case LightProfile::Isotropic: return overCell(x, y, v.cell, solidAngle) / (4 * pi);
     case LightProfile::Cosine:
       if (dot(v.ahead, s.direction) > 0.5) return overCell(x, y, v.cell, cosineAhead);
-      return y < 0 ? 0 : overCell(x, y, v.cell, cosineUp);  // the light has no part behind the lamp
+      return y < 0 ? 0 : overCell(x, y, v.cell, cosineUp);  // no light behind the lamp
   }
   return 0;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Grids of rays of lamps and lasers, and the power of each ray. Rays are parallel, or leave a point through a
-// face of a cube. They depend on the scene, the time and the bounds of the bodies alone.
+// Grids of rays of lamps and lasers, and the power of each ray. Rays are parallel, or start at a point and
+// pass through a face of a cube. They depend only on the scene, the time and the bounds of the bodies.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -29,8 +29,8 @@ struct LightSource {
   Vec3d position{};   ///< m
   Vec3d direction{};  ///< 1, unit
   bool laser = false;
-  std::size_t source = 0;  ///< counts the lamps of the scene, then its lasers
-  std::size_t number = 0;  ///< counts all sources of the scene and all points of area lamps
+  std::size_t source = 0;  ///< number over the lamps of the scene, then its lasers
+  std::size_t number = 0;  ///< number over all sources of the scene and all points of area lamps
 };
 
 /// Rays of a source. Cell (i, j) has the ray through its centre, ((i + 1/2) cell, (j + 1/2) cell).
@@ -38,21 +38,23 @@ struct LightView {
   std::size_t source = 0;      ///< index into the sources of the step
   std::size_t cacheIndex = 0;  ///< unique among the views of all steps
   bool parallel = true;
-  Vec3d origin{};                       ///< m, of the coordinates; of the rays if they are not parallel
-  Vec3d side{}, up{}, ahead{};          ///< axes; coordinates along side and up, light along ahead
-  double cell = 0;                      ///< m; a tangent if rays are not parallel
+  Vec3d origin{};                       ///< m, origin of the coordinates; rays that are not parallel start
+                                        ///< here
+  Vec3d side{}, up{}, ahead{};          ///< unit vectors: coordinates are along side and up, light is along
+                                        ///< ahead
+  double cell = 0;                      ///< m, width; a tangent if rays are not parallel
   std::array<std::int64_t, 2> low{};    ///< first cell, of both axes
   std::array<std::int64_t, 2> count{};  ///< cells
   std::size_t first = 0;                ///< its first cell in the map of all views
   std::size_t cells() const { return static_cast<std::size_t>(count[0] * count[1]); }
 };
 
-/// A line from a point (m) along a unit vector.
+/// Ray from a point (m) along a unit vector.
 struct LightRay {
   Vec3d start{}, direction{};
 };
 
-/// Coordinates of a point in a view, and its distance along the light (m).
+/// Coordinates (m) of a point in a view, and its distance along the light (m).
 struct Sight {
   Vec3d seen{};
   double depth = 0;
@@ -64,8 +66,8 @@ inline Sight sightOf(const LightView& v, const Vec3d& x) {
   return {seen, v.parallel ? seen.z : length(d)};
 }
 
-/// Appends the views of source `index` that can hit bodies within these bounds. Cells are half a
-/// spacing (m) wide at the bodies; in views with more than two million of them, wider.
+/// Appends the views of source `index` that can hit bodies within these bounds. Cells are half a spacing wide
+/// at the bodies, or wider in views that would have more than two million cells. spacing: m.
 void addViews(const LightSource& source, std::size_t index, const Bounds& bodies, double spacing,
               std::vector<LightView>& views);
 
@@ -111,8 +113,8 @@ inline CellRange cellsNear(const LightView& v, const Sight& s, double reach) {
   return range;
 }
 
-/// Calls use(cell, square of the distance) for the rays that pass a point within `reach` (m), in the order of
-/// the cells. `cell` counts from the view's first one.
+/// Calls use(cell, squared distance in m^2) for the rays that pass a point within `reach` (m), in the
+/// order of the cells. cell: index within the view.
 template<class Use> void eachRayNear(const LightView& v, const Sight& s, double reach, Use&& use) {
   const CellRange range = cellsNear(v, s, reach);
   if (range.empty()) return;

@@ -15,17 +15,19 @@ struct CellLight {
   double end = 0;     ///< m, distance along the light of the first obstacle; infinite: none
 };
 
-/// Cells of a view as long as neither it nor an obstacle moves.
+/// Cells of a view. They are valid until the view or an obstacle moves.
 struct CellLights {
   LightView view;
   LightSource source;
   std::vector<CellLight> cell;
 };
 
-/// Depths at which rays hit the bodies, the same on all ranks. Values are negated, for one reduction.
+/// Depths at which rays hit the bodies, the same on all ranks. Values are negated, so one reduction serves
+/// both.
 struct LightMap {
-  std::vector<double> values;         ///< m, m^2: negated depth of the nearest particle that a ray passes,
-                                      ///< then negated square of the distance to any of them; by cell
+  std::vector<double> values;         ///< by cell: first negated depths (m) of the nearest particle that each
+                                      ///< ray hits, then negated squares (m^2) of the smallest distance from
+                                      ///< the ray to a particle
   std::vector<std::int64_t> weights;  ///< sum of the weights of a cell's particles, by cell
   std::vector<float> covered;         ///< fraction of the cell within the outline; negative: not found yet
   std::size_t cells() const { return weights.size(); }
@@ -34,7 +36,7 @@ struct LightMap {
   double gap2(std::size_t c) const { return -values[cells() + c]; }
 };
 
-/// Consecutive rows of a cell, within a sphere (m).
+/// Consecutive rows of a cell, and a sphere (m) that contains them.
 struct LightGroup {
   std::uint32_t begin, end;
   Vec3d centre;

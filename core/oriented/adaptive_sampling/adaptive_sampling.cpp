@@ -18,39 +18,40 @@ namespace thaw {
 namespace {
 
 using std::numbers::pi;
-// Spacings around a birth that must be free: Lennard-Jones would eject a closer particle.
+// Radius around a birth that must be free, in spacings. Lennard-Jones would eject a closer particle.
 constexpr double clearance = 0.86;
-// Spacings, widest gap: wider ones have other particles between, or are borders.
+// Widest gap that is filled, in spacings. Wider gaps contain particles, or are borders.
 constexpr double widestGap = 2.9;
-// Empty radius around a gap's middle over its width (Gabriel's test, slightly short of the ends).
+// Empty radius around a gap's middle over the gap's width. It is Gabriel's test, slightly short of the ends.
 constexpr double emptyShare = 0.45;
-// Sine of the largest angle between the gap and the surface at its ends: a particle above a surface forms no
+// Sine of the largest angle between a gap and the surface at its ends. A particle above a surface forms no
 // gap with it.
 constexpr double steepest = 0.7;
-// Spacings above and below a gap that must be free, so that no particle can return into it.
+// Height above and below a gap that must be free, in spacings. No particle can then return into the gap.
 constexpr double column = 2;
-constexpr double ring = 1.5;  // spacings around a birth, in which a lattice at rest has six neighbours
+constexpr double ring = 1.5;  // spacings, radius around a birth in which a lattice at rest has six neighbours
 constexpr int mostInRing = 6;
-constexpr int leastInRing = 3;  // least neighbours of a gap's end; with fewer it is a stray particle, not a
+constexpr int leastInRing = 3;  // fewest neighbours of a gap's end; with fewer, it is a stray particle, not a
                                 // surface edge
-// Kinetic energy of the ends' relative motion over the depth of Lennard-Jones' well: above, they separate.
+// Kinetic energy of the relative motion of a gap's ends, over the depth of Lennard-Jones' well. Above this,
+// the ends separate.
 constexpr double burst = 0.5;
 constexpr double beside = 1.65;  // spacings, range of neighbours for an open border
-// Angle (rad) between neighbours with room for one more; it is 60 degrees in a hexagonal lattice.
+// Angle (rad) between neighbours with space for another one. It is 60 degrees in a hexagonal lattice.
 constexpr double openAngle = 1.95;
-// Fraction of the thickness, for births at borders. A surface on an obstacle overlaps it by less, unless
-// bonds pull it inward, as at a gap.
+// Smallest distance of births at borders from obstacles, as a fraction of the thickness. A surface on an
+// obstacle keeps a larger distance, unless bonds pull it inward, as at a gap.
 constexpr double fromObstacles = 0.5;
 constexpr std::uint64_t bornBit = std::uint64_t(1) << 63;
 
 struct BirthCandidate {
   bool there = false;
   Vec3d place{}, normal{};
-  double apart = 0;  ///< m, least distance from obstacles
+  double apart = 0;  ///< m, smallest allowed distance from obstacles
 };
 
-/// Returns whether no neighbour of i on the same surface lies within a radius of a position, whatever its
-/// normal.
+/// Returns whether no neighbour of i on the same surface lies within a radius (m) of a position. Normals are
+/// ignored.
 bool isFree(const Oriented& o, const OrientedLists& l, std::size_t i, const Vec3d& place, double radius) {
   for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
     const Vec3d d = o.position[l.list[k]] - place;
@@ -65,8 +66,8 @@ bool isNeighbour(const Oriented& o, const PairPotential& p, std::size_t i, std::
 }
 
 /// Returns whether the candidate lies in a gap of width `far` between i and j, where the surface is stretched
-/// or torn. Surfaces at rest or in vibration have none. The gap's sphere or column is occupied, the ring is
-/// full, or a birth costs more than a bond. Particles that fly apart are not a surface.
+/// or torn. Surfaces that rest or vibrate have no gaps: the gap's sphere or column is occupied, the ring is
+/// full, or a birth costs more energy than a bond. Separating particles do not form a surface.
 bool isGap(const Oriented& o, const OrientedLists& l, const PairPotential& p, std::size_t i, std::size_t j,
            const BirthCandidate& at, int leastBeside, bool planar) {
   const Vec3d r = o.position[j] - o.position[i], apart = o.velocity[j] - o.velocity[i];
@@ -80,7 +81,7 @@ bool isGap(const Oriented& o, const OrientedLists& l, const PairPotential& p, st
                ring2 = ring * ring * p.spacing * p.spacing;
   const Vec3d back = o.position[i] - at.place;
   if (dot(back, back) < clearance * clearance * p.spacing * p.spacing) return false;
-  int around = 1, beside = 0;  // neighbours of the position, i included; neighbours of i
+  int around = 1, beside = 0;  // neighbours of the position, including i; neighbours of i
   double energy = pairForces(p, back, at.normal, o.normal[i]).energy;
   for (std::uint32_t k = l.first[i]; k < l.first[i + 1]; k++) {
     const std::uint32_t q = l.list[k];
@@ -97,8 +98,8 @@ bool isGap(const Oriented& o, const OrientedLists& l, const PairPotential& p, st
   return beside >= leastBeside && around <= mostInRing && (energy < p.attract * p.scale || p.attract == 0);
 }
 
-/// Returns the candidate half way on the arc to the neighbour across the widest gap. The particle of lower id
-/// makes it.
+/// Returns the candidate half-way along the arc to the neighbour across the widest gap. The particle with the
+/// lower id creates it.
 BirthCandidate candidateInGap(const Oriented& o, const OrientedWork& work, const OrientedBody& body,
                               const PairPotential& p, std::size_t i) {
   const OrientedLists& l = work.lists;
@@ -167,16 +168,16 @@ BirthCandidate candidateAtBorder(const Oriented& o, const OrientedWork& work, co
 }
 
 /// Corrects the impulse of gravity for rows that enter or leave. The ledger assumes half kicks
-/// (core/simulation/time/integrate.cpp), but oriented particles get gravity at the start of a step. A newborn
-/// has none of it, a removed particle all.
+/// (core/simulation/time/integrate.cpp), but oriented particles get the whole impulse at the start of a step.
+/// A newborn particle has got none of it, a removed particle all of it.
 void recordGravityImpulse(const OrientedView& w, std::size_t i, double time) {
   for (int a = 0; a < 3; a++)
     if (const double impulse = w.oriented.rows.mass[i] * w.scene.domain.gravity[a] * time; impulse != 0)
       w.ledger.gravityImpulse[a].add(impulse);
 }
 
-/// Returns for each body the largest candidate rank (63 bits) that keeps its total size within `most`. Bodies
-/// with room for all candidates have no limit.
+/// Returns for each body the largest candidate rank (63 bits) for which the number of its particles stays
+/// within `most`. Bodies that can take all candidates have no limit.
 std::vector<std::uint64_t> rankLimits(const Oriented& o, const Scene& scene,
                                       const std::vector<std::int64_t>& members,
                                       const std::vector<std::uint32_t>& parents, Reducer& all) {
@@ -224,7 +225,7 @@ void insertCandidate(const OrientedView& w, const PairPotential& p, std::size_t 
   w.counters.orientedBirths++;
 }
 
-/// Returns the candidate of an owned particle, in a gap or at a border.
+/// Returns the birth candidate of an owned particle, in a gap or at a border.
 BirthCandidate candidateOf(const OrientedView& w, std::size_t i) {
   const Oriented& o = w.oriented.rows;
   const OrientedBody& body = w.scene.oriented[o.body[i]];
@@ -239,8 +240,9 @@ BirthCandidate candidateOf(const OrientedView& w, std::size_t i) {
   return found;
 }
 
-/// Returns the candidates of owned particles, and sets their displacements and ranks, also of ghosts. All
-/// criteria use columns that ghosts carry. members: particles of each body on all ranks. Collective.
+/// Returns the candidates of owned particles. Sets displacements and ranks of candidates, also for ghosts.
+/// All criteria use columns that ghosts have. members: number of particles of each body on all ranks.
+/// Collective.
 std::vector<BirthCandidate> findCandidates(const OrientedView& w, Halos halos,
                                            const std::vector<std::int64_t>& members) {
   Oriented& o = w.oriented.rows;
@@ -275,7 +277,7 @@ struct PopulationChange {
   std::vector<std::uint32_t> parents, dead;
 };
 
-/// Selects among conflicting candidates and crowded particles by their ranks.
+/// Selects births and deaths among conflicting candidates and crowded particles, by their ranks.
 PopulationChange selectChanges(const OrientedView& w) {
   const Oriented& o = w.oriented.rows;
   const OrientedLists& l = w.work.lists;

@@ -11,11 +11,11 @@
 namespace thaw {
 namespace {
 
-// Kernel fraction of a solid that blocks a site: 0.1 spacings over a flat surface, less than 0.33 under an
-// edge.
-// Contact holds particles at 0.1, and fine surfaces at up to 0.33.
+// Kernel fraction of a solid that blocks a site. It is reached 0.1 spacings above a flat surface, and less
+// than 0.33 spacings below an edge.
+// Contact keeps particles at 0.1 spacings, and fine surfaces at up to 0.33.
 constexpr double below = 0.4;
-constexpr double unit = 1.0 / (1 << 30);  // integer unit of the sums, which makes them independent of order
+constexpr double unit = 1.0 / (1 << 30);  // integer unit of the sums, so the sums do not depend on the order
 
 bool inObstacle(const Walls& walls, const Scene& scene, const BirthSite& b) {
   const double reach = std::max(b.apart, 1e-3 * scene.spacing);
@@ -60,7 +60,8 @@ void eachImage(const CellGrid& g, const Domain& d, const Vec3d& x, double reach,
       for (int i = low[0]; i <= high[0]; i++) use(x + Vec3d{i * g.period.x, j * g.period.y, k * g.period.z});
 }
 
-/// Adds the kernel fractions that this rank's particles of each solid body fill at a position, in units.
+/// Adds the kernel fractions that this rank's particles of each solid body fill at a position (m), in integer
+/// units.
 void addSolidFractions(const OrientedView& w, const Vec3d& place, std::int64_t* shares) {
   const Continuum& p = w.particles;
   const double s = w.scene.spacing;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sites where no surface particle may be made: inside obstacles and inside solids.
+// Sites where no surface particle may be created: inside obstacles and inside solids.
 #pragma once
 #include "core/halo/halo.hpp"
 #include "core/oriented/data/oriented_view.hpp"
@@ -13,10 +13,10 @@ struct BirthSite {
   double apart = 0;  ///< m, least distance from obstacles
 };
 
-/// Returns for each site of this rank whether it is blocked: by an obstacle nearer than `apart`, or by a
-/// continuum body that is solid there. Rows may lie outside of their rank's cells while surfaces relax, so
-/// all ranks test the sites of all ranks; the result does not depend on their number. Requires: current
-/// walls, and cells of the owned particles. Collective.
+/// Returns for each site of this rank whether it is blocked: by an obstacle closer than `apart`, or by a
+/// solid continuum body. While surfaces relax, rows may lie outside of their rank's cells. All ranks
+/// therefore test the sites of all ranks, and the result does not depend on the number of ranks. Requires:
+/// current walls, and cells of the owned particles. Collective.
 std::vector<char> blockedSites(const OrientedView& view, const std::vector<BirthSite>& places, Reducer& all);
 
 }  // namespace thaw

@@ -11,17 +11,17 @@
 namespace thaw {
 namespace {
 
-// Spacings between welded particles: rows of a lattice are 0.87 apart, and closer ones would be thrown apart
-// by Lennard-Jones.
+// Smallest distance of welded particles, in spacings. Rows of a lattice have a distance of 0.87, and
+// Lennard-Jones would eject closer particles.
 constexpr double weldApart = 0.75;
 
-/// Parameter of the nearest point on the line through a and b, 0 to 1 between them, not clamped.
+/// Returns the parameter of the nearest point on the line through a and b: 0 at a, 1 at b, not clamped.
 double shareAlong(const Vec3d& a, const Vec3d& b, const Vec3d& x) {
   const double l2 = dot(b - a, b - a);
   return l2 > 0 ? dot(x - a, b - a) / l2 : 0;
 }
 
-/// Counts pairs of neighbours of two groups from the first; cuts are ignored.
+/// Counts pairs of neighbours in two groups, from the rows of the first. Cuts are ignored.
 std::int64_t pairsOf(const Oriented& o, const OrientedLists& lists, std::uint32_t group,
                      std::uint32_t other) {
   std::int64_t n = 0;
@@ -31,8 +31,8 @@ std::int64_t pairsOf(const Oriented& o, const OrientedLists& lists, std::uint32_
   return n;
 }
 
-/// Returns particles of `other` on overlapping rims of a weld: free ones nearer to one of `group` than
-/// `apart` (m).
+/// Returns particles of `other` on overlapping rims of a weld: free particles closer to a particle of `group`
+/// than `apart` (m).
 std::vector<std::uint32_t> overlappingRows(const Oriented& o, const OrientedLists& lists, std::uint32_t group,
                                            std::uint32_t other, double apart) {
   std::vector<std::uint32_t> rows;
@@ -62,7 +62,7 @@ double distanceToPath(const std::vector<Vec3d>& path, const Vec3d& x) {
 int sideOfCut(const OrientedEvent& cut, const SignedDistance* region, double reach, const Vec3d& x) {
   if (cut.tool == CutTool::Plane) return dot(x - cut.point, cut.normal) > 0 ? 1 : 2;
   if (cut.tool == CutTool::Box) return region->inside(x) ? 1 : 2;
-  // a stroke is its path swept along its direction; it does not cut beyond the ends of the path
+  // the cut is the path swept along its direction; it ends at the ends of the path
   const Vec3d down = normalized(cut.direction);
   const auto flat = [&](const Vec3d& p) { return p - dot(p, down) * down; };
   const Vec3d place = flat(x);
@@ -113,8 +113,8 @@ void applyEvents(const OrientedView& w, Halos halos, double from, double to) {
                         e.kind == OrientedEventKind::Smooth;
     const auto region = shaped ? makeSignedDistance(e.region) : nullptr;
     const PairPotential& p = w.work.potentials[due.body];
-    // Affected particles: for a cut on its two sides, else in the first entry; for a weld the pairs that it
-    // joins.
+    // Number of affected particles: for a cut on its two sides, else in the first entry. For a weld, it is
+    // the number of joined pairs.
     std::int64_t met[2] = {0, 0};
     const std::uint32_t group = static_cast<std::uint32_t>(due.body),
                         other = static_cast<std::uint32_t>(e.otherIndex);

@@ -13,7 +13,8 @@ bool follows(const Oriented& o, const OrientedWork& work, std::size_t i) {
   return !work.given[o.body[i]].points.empty() && !(o.flags[i] & fixedPosition);
 }
 
-/// Finds the nearest position on the interpolated surface; false if it is farther than `lost` spacings.
+/// Finds the nearest position on the interpolated surface. Returns false if its distance exceeds `lost`
+/// spacings.
 bool nearestOnInterpolant(const Oriented& o, const OrientedWork& work, std::size_t i, Vec3d& place,
                           Vec3d& normal) {
   place = o.position[i], normal = axisOf(o.orientation[i]);

@@ -6,8 +6,8 @@
 
 namespace thaw {
 
-/// Adds row i to a balance: mass, momentum, kinetic energy with rotation, potential energy of gravity
-/// (m/s^2), and BodyTypeRows::energy as elastic energy.
+/// Adds row i to a balance: mass, momentum, kinetic energy including rotation, potential energy, and
+/// BodyTypeRows::energy as elastic energy. gravity: m/s^2.
 void addOrientedRow(const Oriented& rows, std::size_t i, const Vec3d& gravity, ExactBalance& balance);
 
 }  // namespace thaw

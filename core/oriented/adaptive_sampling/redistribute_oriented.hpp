@@ -6,8 +6,8 @@
 
 namespace thaw {
 
-/// Redistributes oriented particles after births (appended, with cell 0) and deaths (mass 0), without
-/// wrapping or ledger entries. Collective.
+/// Redistributes oriented particles after births (appended rows with cell 0) and deaths (rows with mass 0).
+/// It neither wraps positions nor makes ledger entries. Collective.
 void redistributeOriented(OrientedBodies& oriented, const CellGrid& grid, Halos halos, SortBuffers& sort);
 
 /// Redistributes rows and rebuilds ghosts and neighbour lists, after flags, groups or rows have changed.

@@ -8,8 +8,8 @@
 namespace thaw {
 
 /// Bits of Oriented::flags.
-// newborn: made in this evaluation, not yet in neighbour lists; emerging: born within reach of the continuum
-// and not yet free of it
+// newborn: created in this evaluation, not yet in neighbour lists; emerging: born within reach of the
+// continuum, and not yet separated from it
 inline constexpr std::uint8_t creased = 1, fixedPosition = 2, fixedOrientation = 4, newborn = 8,
                               emerging = 16;
 
@@ -55,8 +55,8 @@ struct Oriented : BodyTypeRows {
 /// The oriented bodies on one rank.
 struct OrientedBodies {
   Oriented rows;
-  bool exceededReach = false;  ///< a row of this rank moved farther in the last step than its forces reach:
-                               ///< the simulation has failed
+  bool exceededReach = false;  ///< in the last step, a row of this rank moved farther than the range of its
+                               ///< forces: the simulation has failed
   CellTable cells;
 };
 

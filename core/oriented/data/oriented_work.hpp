@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Working data of oriented bodies: made once from the scene or rebuilt in each step. Not part of the state.
+// Work data of oriented bodies, made once from the scene or rebuilt in each step. It is not part of the
+// state.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -30,7 +31,8 @@ struct OrientedWork {
   /// per body and field; null: everywhere
   std::vector<std::vector<std::shared_ptr<const SignedDistance>>> fieldRegions;
   double time = 0;  ///< s, time of the current forces
-  double over = 0;  ///< s, step length over which field forces are averaged; 0: they are those at `time`
+  double over = 0;  ///< s, step length over which field forces are averaged; 0: field forces are those at
+                    ///< `time`
   OrientedLists lists;
   std::vector<Vec3d> place, move, spinMove;  // buffers of integrators, by owned row
   std::vector<Quat> turn;
@@ -41,22 +43,25 @@ struct OrientedWork {
   std::vector<Vec3d> rest, restSpin, along, alongSpin, image, imageSpin;
   double fastest2 = 0;  ///< 1/s^2, largest squared frequency of contacts between this rank's oriented and
                         ///< continuum particles
-  double residualForce = 0;       ///< largest force left by relaxation, over stiffness times spacing
+  double residualForce = 0;       ///< 1, largest remaining force after relaxation, over stiffness times
+                                  ///< spacing
   bool begins = false;            ///< the next evaluation is the first: it applies the events of time 0
-  std::int64_t relaxAtLeast = 0;  ///< least iterations of relaxation at the start for all bodies, set by a
-                                  ///< command
+  std::int64_t relaxAtLeast = 0;  ///< minimum number of relaxation iterations at the start for all bodies,
+                                  ///< set by a command
   std::int64_t relaxed = 0;       ///< iterations of relaxation at the start
   std::int64_t relaxing = 0;      ///< particles in relaxation, on all ranks
   RelaxProgress relaxProgress;    ///< convergence of the relaxation
-  bool atRest = false, relaxStopped = false, relaxStalled = false;  ///< reason of its end, if before the last
-                                                                    ///< iteration; the same on all ranks
+  bool atRest = false, relaxStopped = false, relaxStalled = false;  ///< reason why relaxation ended before
+                                                                    ///< the last iteration; the same on all
+                                                                    ///< ranks
   std::function<bool(std::int64_t done)> stopRelaxing;  ///< called on each rank before each iteration; true
-                                                        ///< on any rank ends relaxation. Empty: never
+                                                        ///< on any rank ends relaxation. Empty: never ends
+                                                        ///< early
   struct Born {
     std::uint32_t row;
     double energy;
   };                       // J, without contacts of other body types
-  std::vector<Born> born;  ///< particles made in this evaluation
+  std::vector<Born> born;  ///< particles created in this evaluation
   struct Event {
     std::size_t body, event;
   };

@@ -6,7 +6,8 @@
 namespace thaw {
 namespace {
 
-constexpr double less = 0.9, more = 1.02;        // ratios of force and particles to those at the last gain
+constexpr double less = 0.9, more = 1.02;        // ratios of force, and of number of particles, to their
+                                                 // values at the last gain
 constexpr double fewest = 1000, perLength = 20;  // iterations; iterations per particle along the surface
 
 }  // namespace
@@ -16,7 +17,7 @@ std::int64_t relaxStallLimit(std::int64_t particles) {
 }
 
 bool makesProgress(RelaxProgress& p, std::int64_t done, double force, std::int64_t particles) {
-  // a larger surface starts with a new force
+  // after growth of the surface, the smallest force is reset
   if (static_cast<double>(particles) > more * static_cast<double>(p.most)) {
     p = {force, particles, done};
   } else if (force < less * p.least) {

@@ -18,8 +18,8 @@ StateBefore stateBefore(const Oriented& o, double dt) {
 void recordConstraintWork(const OrientedView& w, const StateBefore& b, double weight) {
   const Oriented& o = w.oriented.rows;
   const OrientedWork& t = w.work;
-  // a force acts over half of the displacement before it and half of that after it (trapezoidal rule);
-  // implicit forces vary linearly over the step
+  // a force acts over half of the displacement before it and half of the displacement after it (trapezoidal
+  // rule); implicit forces vary linearly over the step
   const bool implicit = w.scene.oriented.front().integrator == OrientedIntegrator::SemiImplicit;
   const auto wayOf = [&](const Vec3d& now, const Vec3d& rateBefore) {
     return implicit ? now : 0.5 * (now + w.clock.stepDt * rateBefore);
@@ -34,7 +34,7 @@ void recordConstraintWork(const OrientedView& w, const StateBefore& b, double we
                   impulse = o.mass[i] * (o.velocity[i] - b.velocity[i]) - b.dt * (t.acting[i] + weightForce);
       for (int a = 0; a < 3; a++)
         if (impulse[a] != 0) w.ledger.wallImpulse[a].add(impulse[a]);
-      // external is scaled by `weight`: its impulse covers halves of two steps
+      // external is scaled by `weight`, because its impulse covers halves of two steps
       const Vec3d contact = o.external.active ? (1 - 1 / weight) * o.external[i] : Vec3d{};
       work += 0.5 * o.mass[i] * (dot(o.velocity[i], o.velocity[i]) - dot(b.velocity[i], b.velocity[i])) -
               dot(pullOf(t.acting[i], o.force[i]) + weightForce - contact,

@@ -5,8 +5,8 @@
 
 namespace thaw {
 
-/// State before a step of dt (s), for recordConstraintWork: call stateBefore, the step, moveConstrained,
-/// recordConstraintWork.
+/// State (SI) before a step of dt (s), for recordConstraintWork. Order of calls: stateBefore, the step,
+/// moveConstrained, recordConstraintWork.
 struct StateBefore {
   double dt;
   std::vector<Vec3d> velocity, place, spin;
@@ -15,9 +15,9 @@ struct StateBefore {
 };
 StateBefore stateBefore(const Oriented& rows, double dt);
 
-/// Records impulse and work of the constraints in the ledger: the change of momentum and energy, less those
-/// of all other forces and torques (OrientedWork::acting, actingTorque). Requires: the forces of the step,
-/// with Oriented::external scaled by `weight` (see stepOriented).
+/// Records impulse and work of the constraints in the ledger. They are the changes of momentum and energy,
+/// minus impulse and work of all other forces and torques (OrientedWork::acting, actingTorque). Requires: the
+/// forces of the step, with Oriented::external scaled by `weight` (see stepOriented).
 void recordConstraintWork(const OrientedView& view, const StateBefore& before, double weight);
 
 }  // namespace thaw

@@ -8,7 +8,7 @@
 namespace thaw {
 namespace {
 
-// Rotation matrix to quaternion (S78).
+// Converts a rotation matrix to a quaternion (S78).
 Quat turnOf(const Mat3d& m) {
   const double trace = m.row[0].x + m.row[1].y + m.row[2].z;
   if (trace > 0)

@@ -11,8 +11,8 @@ namespace thaw {
 namespace {
 
 /// Contact of an oriented particle with a continuum particle. Returns false if they do not touch before the
-/// end of the next step. A particle born within reach has the spring alone until it is free: the barrier
-/// scales with the body's mass and would eject a light newborn.
+/// end of the next step. A particle born within reach has only the spring until it is free. The barrier
+/// scales with the continuum particle's mass, and would eject a light newborn particle.
 struct Pairs {
   OrientedView w;
   double span;

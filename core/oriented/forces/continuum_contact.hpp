@@ -5,9 +5,10 @@
 
 namespace thaw {
 
-/// Adds contact forces of oriented particles and the continuum: springs, dashpots and barriers between
-/// centres (plan_contact.hpp), with half of the energy at each end. Sets OrientedWork::fastest2, including
-/// contacts that begin in the next step. Requires: forces and ghosts of both. Not collective.
+/// Adds contact forces between oriented particles and the continuum: springs, dashpots and barriers between
+/// centres (plan_contact.hpp). Each particle of a pair has half of the energy. Sets OrientedWork::fastest2,
+/// including contacts that begin in the next step. dt: s. Requires: forces and ghosts of oriented and
+/// continuum particles. Not collective.
 void addContinuumContact(const OrientedView& view, double dt);
 
 }  // namespace thaw

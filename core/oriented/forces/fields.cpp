@@ -13,7 +13,7 @@ double factorAt(const OrientedField& f, double time) {
   return time < f.from || time >= f.until ? 0 : f.inTime.at(time);
 }
 
-/// Mean factor between two times.
+/// Returns the mean factor (1) between two times (s).
 double meanFactor(const OrientedField& f, double from, double to) {
   const double begin = std::max(from, f.from), end = std::min(to, f.until);
   if (!(begin < end)) return 0;
@@ -21,7 +21,7 @@ double meanFactor(const OrientedField& f, double from, double to) {
   return begin == from && end == to ? mean : mean * ((end - begin) / (to - from));
 }
 
-/// Returns whether the field is on between two times and changes linearly.
+/// Returns whether the field is on between two times (s) and changes linearly.
 bool linear(const OrientedField& f, double from, double to) {
   return f.from <= from && f.until >= to && f.inTime.linear(from, to);
 }
@@ -62,7 +62,7 @@ FieldForce fieldForce(const OrientedView& w, std::size_t i) {
     pressure += factor * f.pressure;
     if (f.attraction == 0) continue;
     const Vec3d d = f.point - o.position[i];
-    // 0.286 is the largest value of u (1 - u^2)^2
+    // 0.286 is the maximum of u (1 - u^2)^2
     const double left = 1 - dot(d, d) / (f.radius * f.radius),
                  steepest = factor * f.attraction / (0.28621670111997308 * f.radius);
     if (!(left > 0)) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// External forces on oriented particles besides gravity: acceleration and pressure of the body, and its
+// External forces on oriented particles other than gravity: acceleration and pressure of the body, and its
 // fields (OrientedField).
 #pragma once
 #include "core/halo/halo.hpp"
@@ -9,16 +9,16 @@ namespace thaw {
 
 struct FieldForce {
   Vec3d force{};     ///< N
-  double slope = 0;  ///< 1/s^2, bound of the force gradient over mass
+  double slope = 0;  ///< 1/s^2, upper bound of the force gradient over mass
 };
 
-/// Returns the force on an owned row at OrientedWork::time. Within a step of length OrientedWork::over it is
-/// the mean over the step, so impulses do not depend on step size. Runge-Kutta samples a linear factor at its
-/// stages, which gives the same mean. A pull at distance r is a u (1 - u^2)^2 / 0.2862 with u = r/R, from the
-/// energy per mass -a R (1 - u^2)^3 / 1.717, so it is conservative.
+/// Returns the force on an owned row at OrientedWork::time. Within a step of length OrientedWork::over, it is
+/// the mean over the step, so impulses do not depend on the step size. Runge-Kutta samples a linear factor at
+/// its stages, which gives the same mean. The attraction at distance r is a u (1 - u^2)^2 / 0.2862 with u =
+/// r/R. It is conservative, with the energy per mass -a R (1 - u^2)^3 / 1.717.
 FieldForce fieldForce(const OrientedView& view, std::size_t row);
 
-/// Replaces the field forces at the start of a step of dt (s) by their means over it, where fields change.
+/// Replaces changing field forces at the start of a step of dt (s) by their means over the step.
 void averageFields(const OrientedView& view, double dt);
 
 /// Appends to OrientedWork::unusedFields the fields that begin in (after, upTo] and act on no particle.

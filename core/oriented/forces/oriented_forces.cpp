@@ -14,14 +14,14 @@
 namespace thaw {
 namespace {
 
-constexpr double reachOfContact = 0.9;  // spacings at which particles of different surfaces touch
+constexpr double reachOfContact = 0.9;  // spacings, distance at which particles of different surfaces touch
 
 struct WallReaction {
   Vec3d force{}, velocity{};
   double energy = 0, loss = 0, stiffness = 0, slope = 0;
 };
 
-/// Returns the contact of one obstacle with row i: a spring and a barrier from `thickness` spacings on, and
+/// Returns the contact of one obstacle with row i: a spring and a barrier within `thickness` spacings, and
 /// friction (Coulomb, viscous at low slip speed).
 WallReaction wallReaction(const OrientedView& w, const Wall& wall, std::size_t i) {
   const Oriented& o = w.oriented.rows;
@@ -58,8 +58,8 @@ WallReaction wallReaction(const OrientedView& w, const Wall& wall, std::size_t i
   return push;
 }
 
-/// Returns a small torque along a random direction shared by both particles. Antiparallel normals have no
-/// torque otherwise (docs/validation/stability.md, row 17).
+/// Returns a small torque along a random direction, the same for both particles. Without it, antiparallel
+/// normals have no torque (docs/validation/stability.md, row 17).
 Vec3d antiparallelTorque(const Scene& scene, const PairPotential& p, std::uint64_t a, std::uint64_t b,
                          const Vec3d& n) {
   const double angle = 6.283185307179586 *

@@ -13,7 +13,8 @@ inline bool sameSurface(const Oriented& o, std::size_t i, std::size_t j) {
   return o.group[i] == o.group[j] && ((a & first & (b >> 1)) | ((a >> 1) & first & b)) == 0;
 }
 
-/// Returns the potential of a pair: that of the body with the lower number, so both ends use the same.
+/// Returns the potential of a pair. It is that of the body with the lower number, so both particles use the
+/// same one.
 inline const PairPotential& potentialOf(const OrientedWork& work, const Oriented& o, std::size_t i,
                                         std::size_t j) {
   return work.potentials[std::min(o.body[i], o.body[j])];

@@ -14,7 +14,7 @@ namespace {
 constexpr int mostIterations = 100;
 constexpr double tolerance = 1e-8;  // relative norm of the residual
 
-/// Sum of dot products, the same on any number of ranks.
+/// Returns the sum of dot products, the same on any number of ranks.
 double product(Reducer& all, const std::vector<Vec3d>& a, const std::vector<Vec3d>& b,
                const std::vector<Vec3d>& c, const std::vector<Vec3d>& d) {
   ExactSum sum;
@@ -25,7 +25,8 @@ double product(Reducer& all, const std::vector<Vec3d>& a, const std::vector<Vec3
   return sum.value();
 }
 
-/// Adds K u of a pair on its first particle: squared terms of the energy, linearised, with positive weights.
+/// Adds K u of a pair for its first particle. K includes the squared terms of the energy, linearised, with
+/// positive weights.
 void addPair(const PairPotential& p, const Vec3d& r, const Vec3d (&n)[2], bool oriented, const Vec3d (&v)[2],
              const Vec3d (&spin)[2], Vec3d& force, Vec3d& torque) {
   const double r2 = dot(r, r), far = std::sqrt(r2);
@@ -58,7 +59,7 @@ void addPair(const PairPotential& p, const Vec3d& r, const Vec3d (&n)[2], bool o
   torque += (2 * share * p.normal * mean) * cross(n[0], bend);
 }
 
-/// Computes image = K u of owned rows with u in Oriented::search and searchSpin. Collective.
+/// Computes image = K u for owned rows, with u in Oriented::search and searchSpin. Collective.
 void multiply(Oriented& o, OrientedWork& work, Halos halos) {
   refresh(*halos.bodyTypes[orientedType], o, ColumnList{&o.search, &o.searchSpin}).wait();
   const OrientedLists& l = work.lists;
@@ -81,7 +82,7 @@ const OrientedBody& bodyOfRow(const OrientedView& w, std::size_t i) {
   return w.scene.oriented[w.oriented.rows.body[i]];
 }
 
-/// Computes image = A u of owned rows with A = M (1 + c dt) + dt^2 K and u in Oriented::search and
+/// Computes image = A u for owned rows, with A = M (1 + c dt) + dt^2 K and u in Oriented::search and
 /// searchSpin. Constrained components are 0. Collective.
 void multiplySystem(const OrientedView& w, Halos halos, double dt) {
   Oriented& o = w.oriented.rows;
@@ -103,7 +104,7 @@ void multiplySystem(const OrientedView& w, Halos halos, double dt) {
   }
 }
 
-/// Sets the first solution, which is the current velocities, its residual and the first search direction.
+/// Sets the initial solution (the current velocities), its residual, and the first search direction.
 /// Collective.
 void beginSolve(const OrientedView& w, Halos halos, double dt) {
   Oriented& o = w.oriented.rows;
@@ -166,7 +167,7 @@ void solveVelocities(const OrientedView& w, Halos halos, double dt) {
 void translateRow(const OrientedView& w, std::size_t i, double dt) {
   Oriented& o = w.oriented.rows;
   const OrientedBody& body = bodyOfRow(w, i);
-  // uses the pair forces of the solution, which conserve momentum; the residual of the solver does not
+  // uses the pair forces of the solution, because they conserve momentum, unlike the solver's residual
   const Vec3d solved = w.work.velocity[i],
               v = o.velocity[i] +
                   dt * (w.work.acting[i] / o.mass[i] + w.scene.domain.gravity - body.damping * solved),
@@ -176,7 +177,7 @@ void translateRow(const OrientedView& w, std::size_t i, double dt) {
   for (int a = 0; a < 3; a++)
     if (const double lost = -dt * body.damping * o.mass[i] * solved[a]; lost != 0)
       w.ledger.wallImpulse[a].add(lost);
-  // at the old positions, before they move
+  // at the old position, before the move
   if (const double given = dt * dot(fieldForce(w, i).force, v); given != 0) w.ledger.wallWork.add(given);
   o.velocity[i] = v;
   o.position[i] += dt * v;

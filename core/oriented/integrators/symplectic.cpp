@@ -15,16 +15,16 @@ void stepSymplectic(const OrientedView& w, double dt) {
   const Vec3d g = w.scene.domain.gravity;
   for (std::size_t i = 0; i < o.owned; i++) {
     const OrientedBody& body = w.scene.oriented[o.body[i]];
-    // A force's work covers half of the displacement before it and half of that after it. The kick gives F .
-    // (v + v') dt' / 2, but the displacement before was v dt. The difference is the scheme's error for a
-    // changing step.
+    // A force does work over half of the displacement before it and half of the displacement after it. The
+    // kick gives F . (v + v') dt' / 2, but the displacement before was v dt. The difference is the scheme's
+    // error for a changing step.
     const double change = 0.5 * (dt - w.clock.stepDt);
     if (!(o.flags[i] & fixedPosition)) {
       // contacts with other body types have the impulse of both halves already
       const Vec3d before = o.velocity[i], field = fieldForce(w, i).force,
                   contact = o.external.active ? o.external[i] : Vec3d{};
       o.dissipated[i] -= change * dot(o.force[i] - field - contact + o.mass[i] * g, before);
-      // damping between two half kicks dissipates just the work of the forces in a steady state
+      // in a steady state, damping between two half kicks dissipates exactly the work of the forces
       const Vec3d kick = (0.5 * dt) * (o.force[i] / o.mass[i] + g);
       Vec3d v = o.velocity[i] + kick;
       const double kept = std::exp(-body.damping * dt);

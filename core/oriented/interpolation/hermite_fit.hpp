@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hermite interpolation of points with normals by radial functions r^3 (W05, MGV11): f = 0 on the surface,
-// and its gradient there is the normal. Pieces around each point are blended by a partition of unity (O03).
+// Hermite interpolation of points with normals by radial functions r^3 (W05, MGV11). f = 0 on the surface,
+// and the gradient of f there is the normal. A partition of unity (O03) blends pieces around each point.
 #pragma once
 #include <vector>
 
@@ -13,16 +13,16 @@ struct HermitePiece {
   Vec3d centre{};
   double scale = 1;            ///< m, unit of lengths
   std::vector<Vec3d> points;   ///< 1, relative to the centre
-  std::vector<double> weight;  ///< four per point: one of r^3, three of its gradient
+  std::vector<double> weight;  ///< four per point: one for r^3, three for its gradient
 };
 
-/// Value f (m, about the signed distance) and gradient.
+/// Value f (m, approximately the signed distance) and gradient.
 struct HermiteValue {
   double value;
   Vec3d gradient;
 };
 
-/// Fits a piece to points with unit normals; `scale` is about their spacing (m). Returns a piece without
+/// Fits a piece to points (m) with unit normals. scale: m, about the points' spacing. Returns a piece without
 /// points if the system is singular.
 HermitePiece hermitePiece(const Vec3d& centre, double scale, const std::vector<Vec3d>& points,
                           const std::vector<Vec3d>& normals);

@@ -11,7 +11,7 @@ namespace thaw {
 namespace {
 
 constexpr std::size_t around = 12;
-// Points of a piece of the interpolant, and pieces that are blended at a position.
+// Number of points of a piece of the interpolant, and number of pieces blended at a position.
 constexpr std::size_t ofPiece = 24, blended = 6;
 
 struct Plane {
@@ -112,7 +112,7 @@ bool projectOnInterpolant(const PointInterpolant& g, Vec3d& place, Vec3d& normal
   for (int pass = 0; pass < 4; pass++) {
     const std::vector<std::uint32_t> near = g.tree->nearest(place, blended + 1);
     if (near.empty() || length(g.points[near[0]] - place) > g.reach * g.apart) return false;
-    // pieces fade to zero at the distance of the first excluded point
+    // the weights of pieces fall to zero at the distance of the first excluded point
     const double radius = length(g.points[near.back()] - place) * (near.size() > blended ? 1 : 2);
     double all = 0, value = 0;
     Vec3d gradient{};
@@ -131,7 +131,7 @@ bool projectOnInterpolant(const PointInterpolant& g, Vec3d& place, Vec3d& normal
     place = place - std::clamp(value / steep2 * all, -g.apart, g.apart) / all * gradient;
   }
   for (const std::uint32_t k : g.tree->nearest(place, blended + 1))
-    // a normal that opposes all near points is an artefact
+    // a normal that opposes those of all near points is an artefact
     if (dot(g.normals[k], normal) > 0) return length(g.points[k] - place) < g.reach * g.apart;
   return false;
 }

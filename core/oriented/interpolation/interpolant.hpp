@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Interpolated surface of given points, and normals of points without any (ST92).
+// Interpolated surface of given points, and normals for points without normals (ST92).
 #pragma once
 #include <memory>
 #include <vector>
@@ -15,22 +15,22 @@ struct PointInterpolant {
   std::shared_ptr<const PointTree> tree;
   std::vector<HermitePiece> pieces;  ///< one per point; empty where the system is singular
   double apart = 0;                  ///< m, mean distance to the nearest neighbour
-  double reach = 2.5;  ///< in units of `apart`: largest distance from the points at which the surface exists
+  double reach = 2.5;  ///< 1, largest distance from the points at which the surface exists, over `apart`
 };
 
-/// Builds tree, mean distance and pieces.
+/// Computes tree, mean distance and pieces.
 void buildInterpolant(PointInterpolant& given);
 
-/// Returns unit normals of points without any. Each is the normal of the plane of the 12 nearest points. A
-/// minimal spanning tree over differences of normals orients them, starting at the highest point with its
-/// normal up (H92); docs/validation/stability.md, row 17.
+/// Returns unit normals for points (m) without normals. Each is the normal of the plane of the 12 nearest
+/// points. A minimal spanning tree over differences of normals orients the normals (H92). It starts at the
+/// highest point, whose normal points up (docs/validation/stability.md, row 17).
 std::vector<Vec3d> normalsOf(const std::vector<Vec3d>& points);
 
-/// Moves a position onto the interpolated surface and returns the normal there. False if no point is within
-/// reach or the interpolant has no surface.
+/// Moves a position (m) onto the interpolated surface, and sets the normal there. Returns false if no point
+/// is within reach, or if the interpolant has no surface.
 bool projectOnInterpolant(const PointInterpolant& given, Vec3d& place, Vec3d& normal);
 
-/// Thin plate through points (D77): height over the plane of best fit; see thinPlate.
+/// Thin plate through points (D77): height above the plane of best fit; see thinPlate.
 struct ThinPlate {
   Vec3d origin{}, u{}, v{}, n{};
   std::vector<double> x, y, weight;  ///< m, coordinates of the points in the plane, and spline weights

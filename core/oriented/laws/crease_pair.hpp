@@ -5,9 +5,9 @@
 
 namespace thaw {
 
-/// Returns energy, force and torque on i. A creased particle has no plane; it keeps to the planes of its
-/// neighbours on both sides of the crease. Its normal follows theirs with a tenth of co-normality.
-/// Co-circularity and the facing test are off.
+/// Returns energy, force and torque on i. A creased particle has no plane of its own. It stays in the
+/// planes of its neighbours on both sides of the crease. Its normal follows their normals with a tenth of
+/// co-normality. Co-circularity and the facing test are off.
 PairResult creasedPair(const PairPotential& p, const Vec3d& r, const Vec3d& ni, const Vec3d& nj,
                        bool iCreased, bool jCreased);
 

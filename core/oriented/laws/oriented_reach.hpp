@@ -7,7 +7,8 @@
 
 namespace thaw {
 
-/// Returns 1.1 times the largest radius (m) of interaction of oriented particles: the least length of cells.
+/// Returns the smallest length (m) of cells for oriented particles: 1.1 times their largest interaction
+/// radius.
 inline double orientedReach(const Scene& s) {
   double reach = 0;
   for (const OrientedBody& b : s.oriented) reach = std::max(reach, 1.1 * b.support * spacingOf(s, b));

@@ -48,7 +48,7 @@ PairResult pairForces(const PairPotential& p, const Vec3d& r, const Vec3d& ni, c
   const Ramp inside = smoothRamp((p.reach - length) / (p.reach - p.fade));
   const RadialPart radial = radialPart(p, length);
   double energy = p.attract * radial.energy;
-  // dE/dr and dE/dn_i before the factors fade, face and scale
+  // dE/dr and dE/dn_i without the factors fade, face and scale
   Vec3d byPlace = (p.attract * radial.slope / length) * r, byNormal{};
   double stiff = p.attract * std::max(std::abs(radial.curvature), std::abs(radial.slope) / length), turn = 0;
   if (kind.oriented) {
@@ -119,8 +119,8 @@ PairPotential pairPotential(const OrientedBody& body, double spacing) {
   p.core = body.core * spacing;
   p.well = spacing;
   if (body.source == OrientedSource::Curve || !(p.attract > 0)) return p;
-  // bisection for the zero of the lattice's slope; fixed iterations give the same bits on all ranks
-  // A well that is too small contracts the lattice: slope > 0.
+  // bisection for the zero of the lattice's slope; a fixed number of iterations gives the same bits on all
+  // ranks If the well is too small, the lattice contracts (slope > 0).
   double low = 0.8 * spacing, high = 1.6 * spacing;
   for (int k = 0; k < 100; k++) {
     p.well = 0.5 * (low + high);

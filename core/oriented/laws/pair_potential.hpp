@@ -9,13 +9,14 @@ namespace thaw {
 
 /// Constants of one body's potential, from its scene table.
 struct PairPotential {
-  double spacing = 1;  ///< m, s: spacing at which a hexagonal lattice is at rest
-  double reach = 3;    ///< m, support radius: the energy is 0 beyond it
+  double spacing = 1;  ///< m, s, spacing at which a hexagonal lattice is at rest
+  double reach = 3;    ///< m, support radius, beyond which the energy is 0
   double fade = 2.25;  ///< m, distance at which the fade-out begins
   double scale = 1;    ///< J, stiffness times s^2
   double well = 1;     ///< m, distance of the Lennard-Jones minimum of a pair
-  double core = 0.7;   ///< m, Lennard-Jones is linear below it (docs/validation/stability.md, row 33)
-  int n = 12, m = 6;   ///< powers of Lennard-Jones
+  double core = 0.7;   ///< m, distance below which Lennard-Jones is linear (docs/validation/stability.md, row
+                       ///< 33)
+  int n = 12, m = 6;   ///< exponents of Lennard-Jones
   double attract = 1, plane = 1, normal = 1, circle = 1;  ///< weights
   double a = 1, b = 0.5;  ///< m, scales of the weighting function across and along the normal
   bool facing = true;     ///< see OrientedBody
@@ -30,8 +31,8 @@ struct PairResult {
   double energy = 0;         ///< J, energy of the pair
   Vec3d force{};             ///< N, on i; the force on j is its negative
   Vec3d torque{};            ///< N m, on i
-  double stiffness = 0;      ///< N/m, bound of the second derivative by position
-  double turnStiffness = 0;  ///< N m, bound of the second derivative by rotation
+  double stiffness = 0;      ///< N/m, bound of the second derivative with respect to position
+  double turnStiffness = 0;  ///< N m, bound of the second derivative with respect to rotation
 };
 
 /// Selects the potentials: creased particles have no orientation (ST92).
@@ -43,25 +44,25 @@ struct PairKind {
 /// where d is r in i's frame,
 ///   E = scale fade(r) face(n_i . n_j) (w_A LJ(r) + w_P ((n_i.r)^2 psi_i + (n_j.r)^2 psi_j)/s^2
 ///       + (w_N |n_i - n_j|^2 + w_C ((n_i + n_j).r)^2/s^2) (psi_i + psi_j)/2).
-/// fade falls from 1 to 0 between PairPotential::fade and reach. face rises from 0 to 1 as n_i . n_j goes
-/// from 0 to 1/2; it is 1 without `facing`.
+/// fade falls from 1 to 0 between PairPotential::fade and reach. face rises from 0 to 1 as n_i . n_j
+/// increases from 0 to 1/2; it is 1 without `facing`.
 PairResult pairForces(const PairPotential& p, const Vec3d& r, const Vec3d& ni, const Vec3d& nj,
                       PairKind kind = {});
 
-/// Lennard-Jones energy over scale and weight, with its first two derivatives by r (m).
+/// Lennard-Jones energy over scale and weight, with its first two derivatives with respect to r (m).
 struct RadialPart {
   double energy, slope, curvature;
 };
 RadialPart radialPart(const PairPotential& p, double r);
 
-/// Energy per particle (J) of a flat hexagonal lattice with this spacing (m), and its derivative by the
-/// spacing.
+/// Energy per particle (J) of a flat hexagonal lattice with this spacing (m), and its derivative with respect
+/// to the spacing (N).
 struct LatticeEnergy {
   double energy, slope;
 };
 LatticeEnergy hexagonalEnergy(const PairPotential& p, double spacing);
 
-/// Step from 0 at t = 0 to 1 at t = 1 with two continuous derivatives, and its slope.
+/// Smooth step from 0 at t = 0 to 1 at t = 1, with two continuous derivatives, and its slope.
 struct Ramp {
   double value, slope;
 };

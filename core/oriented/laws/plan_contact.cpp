@@ -12,12 +12,13 @@ namespace {
 constexpr double touching = 0.55;    // factor of the sum of the spacings
 constexpr double restitution = 0.3;  // restitution of the spring; the barrier is elastic
 constexpr double leastRoom = 0.1;    // fraction of the reach, for lattices with wider gaps
-// In units of spacing: depth of the barrier for a surface without thickness.
+// Depth of the barrier for a surface without thickness, in spacings.
 constexpr double leastKeep = 0.25;
-// In units of attract stiffness spacing: 1.5 times the largest bond force of Lennard-Jones 12-6.
+// Strength of bonds, in units of attract * stiffness * spacing: 1.5 times the largest force of Lennard-Jones
+// 12-6.
 constexpr double bondPull = 4;
 
-/// Largest speed (m/s) of all surfaces, without falls.
+/// Returns the largest speed (m/s) of all surfaces, without falls.
 double surfaceSpeed(const Scene& s) {
   double surface = 0;
   for (const OrientedBody& b : s.oriented) {
@@ -27,7 +28,7 @@ double surfaceSpeed(const Scene& s) {
   return surface;
 }
 
-/// Largest speed (m/s) of contact between a surface and the continuum.
+/// Returns the largest contact speed (m/s) between a surface and the continuum.
 double contactSpeed(const Scene& s) {
   const double surface = surfaceSpeed(s);
   double other = 0;
@@ -37,7 +38,7 @@ double contactSpeed(const Scene& s) {
   return surface + other + fallSpeed(s.domain);
 }
 
-/// Speed of sound (m/s) of a material in its solid and liquid states.
+/// Returns the speed of sound (m/s) of a material, for its solid and liquid states.
 double soundOf(const Material& m, const LiquidMaterial& liquid) {
   const double solid = m.canBeSolid() ? std::sqrt(std::max(m.young.solid, m.young.liquid) / m.density) : 0;
   return std::max(solid, canBeLiquid(m) ? liquid.soundSpeed : 0);
@@ -52,7 +53,7 @@ std::vector<OrientedContact> planOrientedContact(const Scene& s, std::span<const
     const double own = spacingOf(s, b);
     OrientedContact c;
     c.reach = touching * (own + s.spacing);
-    // gap centres of a hexagonal triangle and of a square
+    // gap centres of a triangle in the hexagonal lattice and of a square
     c.room = std::max(leastRoom * c.reach,
                       c.reach - std::max(own / std::sqrt(3.0), s.spacing / std::sqrt(2.0)));
     c.spring = b.contact * b.stiffness;

@@ -16,7 +16,7 @@ namespace {
 using Side = std::uint64_t;  // directed edge
 Side sideOf(std::uint32_t from, std::uint32_t to) { return static_cast<Side>(from) << 32 | to; }
 
-/// Directed edges of the accepted triangles. A manifold has each at most once.
+/// Directed edges of the accepted triangles. In a manifold, each occurs at most once.
 struct Sides {
   std::unordered_set<Side> taken;
   bool has(std::uint32_t a, std::uint32_t b) const { return taken.contains(sideOf(a, b)); }
@@ -38,14 +38,14 @@ double roundness(const OrientedPoints& p, const Corners& t) {
                    : never;
 }
 
-/// Returns whether the triangle faces like its particles.
+/// Returns whether the triangle's normal agrees with its particles' normals.
 bool facesAlike(const OrientedPoints& p, const Corners& t) {
   const Vec3d n = cross(p.positions[t[1]] - p.positions[t[0]], p.positions[t[2]] - p.positions[t[0]]);
   return dot(n, p.normals[t[0]] + p.normals[t[1]] + p.normals[t[2]]) > 0;
 }
 
-/// Border edges seen from the hole: successors of each particle. Several only where the surface touches
-/// itself at that particle.
+/// Border edges in the direction around the hole: successors of each particle. A particle has several
+/// successors only if the surface touches itself there.
 using Borders = std::map<std::uint32_t, std::vector<std::uint32_t>>;
 Borders bordersOf(const Sides& sides) {
   Borders next;
@@ -57,7 +57,7 @@ Borders bordersOf(const Sides& sides) {
   return next;
 }
 
-/// Returns the first successor clockwise at `at`, coming from `from`: the hole lies to the left.
+/// Returns the first successor clockwise at `at`, coming from `from`. The hole lies to the left.
 std::uint32_t nextBorderVertex(const OrientedPoints& p, const std::vector<std::uint32_t>& ways,
                                std::uint32_t from, std::uint32_t at) {
   if (ways.size() == 1) return ways[0];
@@ -74,9 +74,10 @@ std::uint32_t nextBorderVertex(const OrientedPoints& p, const std::vector<std::u
   return best;
 }
 
-/// Returns whether the loop is a hole, not the rim of a small patch. A hole faces like its particles. In a
-/// sharp fold the particles' normals agree instead and their surface is large (`patch`: its number of
-/// triangles). The end of a narrow tube has mixed normals and is undecided.
+/// Returns whether the loop is a hole, not the rim of a small patch. The normal of a hole agrees with its
+/// particles' normals. In a sharp fold, it may not, but the particles' normals agree with each other and
+/// their surface is large. The end of a narrow tube has mixed normals, and is not a hole. patch: number of
+/// triangles of the surface.
 bool isHole(const OrientedPoints& p, const std::vector<std::uint32_t>& hole, std::size_t patch) {
   Vec3d area{}, normal{};
   for (std::size_t k = 0; k < hole.size(); k++) {
@@ -99,8 +100,8 @@ std::vector<std::size_t> sizesOfParts(std::size_t particles, const std::vector<C
   return sizes;
 }
 
-/// Clips ears off a hole until it is closed; facing: only ears that face like their particles. Returns false
-/// if it stays open.
+/// Clips ears off a hole until it is closed. Returns false if it stays open. facing: uses only ears whose
+/// normals agree with their particles'.
 bool closeHole(const OrientedPoints& p, std::vector<std::uint32_t> hole, const Sides& sides, bool facing,
                std::vector<Corners>& made) {
   made.clear();
@@ -133,8 +134,8 @@ void addAll(const std::vector<Corners>& made, Sides& sides, std::vector<Corners>
   }
 }
 
-/// Traces a hole from one of its border edges. Returns it empty if it has too many edges, or one too long (in
-/// spacings).
+/// Traces a hole from one of its border edges. Returns nothing if the hole has too many edges, or an
+/// edge that is too long (in spacings).
 std::vector<std::uint32_t> traceHole(const OrientedPoints& p, const Borders& next, std::uint32_t start,
                                      std::uint32_t first, std::size_t mostSides, double longest) {
   std::vector<std::uint32_t> hole{start};
@@ -152,7 +153,8 @@ std::vector<std::uint32_t> traceHole(const OrientedPoints& p, const Borders& nex
   return hole;
 }
 
-/// Removes the triangles between the hole's own vertices, which block its edges, and closes the holes anew.
+/// Removes the triangles between the hole's own vertices, because they block its edges. Closes the resulting
+/// holes.
 void retriangulateHole(const OrientedPoints& p, const std::vector<std::uint32_t>& hole, Sides& sides,
                        std::vector<Corners>& triangles) {
   const auto inside = [&](const Corners& t) {
@@ -214,10 +216,10 @@ void fillHoles(const OrientedPoints& p, std::vector<Corners>& triangles, std::si
   std::vector<std::vector<std::uint32_t>> open;
   for (const auto& [start, ways] : next)
     for (const std::uint32_t first : ways) {
-      if (sides.has(start, first)) continue;  // filled already
+      if (sides.has(start, first)) continue;  // already filled
       const std::vector<std::uint32_t> hole = traceHole(p, next, start, first, mostSides, longest);
       if (hole.size() < 3 || !isHole(p, hole, part[start])) continue;
-      // in a sharp fold ears may not face like their particles
+      // in a sharp fold, normals of ears may oppose their particles'
       if (closeHole(p, hole, sides, true, made) || closeHole(p, hole, sides, false, made))
         addAll(made, sides, triangles);
       else if (std::none_of(open.begin(), open.end(), [&](const auto& other) {

@@ -10,8 +10,9 @@
 namespace thaw {
 namespace {
 
-constexpr std::size_t mostSides = 14;           // edges of a hole that is filled
-constexpr double longest = 2.0, widest = 1.25;  // spacings: edge of a triangle, radius of its sphere
+constexpr std::size_t mostSides = 14;           // maximum number of edges of a filled hole
+constexpr double longest = 2.0, widest = 1.25;  // spacings: largest edge of a triangle, largest radius of its
+                                                // sphere
 
 bool sameSurface(const OrientedPoints& p, std::uint32_t i, std::uint32_t j) {
   constexpr std::uint64_t first = 0x5555555555555555ull;
@@ -64,7 +65,7 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(const OrientedPoints& p) {
       }
     }
   }
-  // independent triangles overlap, or leave gaps, where the surface is bent sharply
+  // independent triangles overlap, or leave gaps, at sharp bends
   triangles = keepManifold(p, std::move(triangles));
   fillHoles(p, triangles, mostSides, 2 * widest + 1e-9);  // no edge is longer than the circle's diameter
   for (auto& t : triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());

@@ -11,10 +11,10 @@ namespace thaw {
 struct SurfaceSample {
   std::uint64_t rank;
   Vec3d place, normal;
-};  ///< rank: place in the random order; lengths in m
+};  ///< m; unit; rank: position in the random order
 
-/// Adds samples in the order of their ranks. A sample is skipped if a point, old or new, is nearer than
-/// `apart` (m) and faces the same way: thin bodies have two sides.
+/// Adds samples in the order of their ranks. A sample is skipped if any point closer than `apart` (m) has a
+/// normal on the same side. Thin bodies have two sides, so points on opposite sides are independent.
 void addPoissonDiscs(std::vector<SurfaceSample>& samples, double apart, SampledPoints& points);
 
 }  // namespace thaw

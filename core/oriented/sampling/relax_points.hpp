@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Relaxation of sampled points along their surface.
+// Relaxes sampled points along their surface.
 #pragma once
 #include "core/geometry/trees/point_tree.hpp"
 #include "core/oriented/sampling/sample_points.hpp"
 
 namespace thaw {
 
-/// Moves free points apart along the surface, by repulsion within `range` from free and fixed ones. All move
-/// at once, so order does not matter. project(place, normal) projects a position onto the surface and sets
-/// its normal.
+/// Spreads free points along the surface by repulsion from free and fixed points within `range` (m). All
+/// points move at the same time, so the order does not matter. project(place, normal) projects a position
+/// onto the surface and sets the normal.
 template<class Project> void relaxPoints(double range, SampledPoints& m, const Project& project) {
   constexpr int passes = 60;
   for (int pass = 0; pass < passes; pass++) {

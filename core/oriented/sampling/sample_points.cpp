@@ -23,8 +23,8 @@ namespace thaw {
 namespace {
 
 constexpr double rowHeight = 0.86602540378443865;
-// Spacings around a control point that are fixed with it: two rings of particles. A bent surface would pull
-// one ring out of itself.
+// Radius around a control point in which particles are fixed, in spacings: two rings of particles. A bent
+// surface would pull a single ring out of the surface.
 constexpr double fixedRadius = 2.2;
 
 /// Calls use(x, y) for a hexagonal lattice over a rectangle around the origin.
@@ -73,9 +73,9 @@ bool inHull(const std::vector<double>& x, const std::vector<double>& y, double p
 }
 
 /// Samples a thin plate over the hull of its points: the points, then positions in random order at least 0.75
-/// spacings apart, which are then moved apart. A lattice lifted onto the plate would be stretched, and tear,
-/// where the plate is steep. Particles near a control point are fixed with it, position and normal; the
-/// potentials would flatten the plate otherwise.
+/// spacings apart, which then relax. A lattice lifted onto the plate would be stretched and tear where the
+/// plate is steep. Position and normal of particles near a control point are fixed. Otherwise, the potentials
+/// would flatten the plate.
 SampledPoints plateThrough(const OrientedBody& b, double spacing, std::uint64_t seed) {
   const ThinPlate plate = thinPlate(b.points);
   SampledPoints m;
@@ -103,7 +103,7 @@ SampledPoints plateThrough(const OrientedBody& b, double spacing, std::uint64_t 
   return m;
 }
 
-/// Samples a parabola in y = 0, with particles a spacing apart along it.
+/// Samples a parabola in y = 0, with particles one spacing apart along it.
 SampledPoints curve(const OrientedBody& b, double spacing) {
   SampledPoints m;
   const Vec3d chord = b.to - b.from, up{-chord.z / length(chord), 0, chord.x / length(chord)};
@@ -132,8 +132,8 @@ void addRepairs(const Shape& shape, const MeshReport& report, SampledPoints& m) 
     m.notes.push_back(std::move(text));
 }
 
-/// Returns the mesh of an open mesh shape. For others the result is empty, and their signed distance reports
-/// errors.
+/// Returns the mesh of an open mesh shape. For other shapes, the result is empty, and their signed distance
+/// reports errors.
 std::optional<PlacedMesh> openMesh(const Shape& shape, const MeshLoader& load) {
   if (shape.kind != ShapeKind::Mesh) return {};
   try {

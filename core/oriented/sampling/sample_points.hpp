@@ -8,12 +8,12 @@
 
 namespace thaw {
 
-/// Sampled points, one per particle in the order of their numbers; the same on all ranks.
+/// Sampled points, one per particle, ordered by number; the same on all ranks.
 struct SampledPoints {
   std::vector<Vec3d> places, normals;
   std::vector<std::uint8_t> flags;  ///< Oriented::flags of given points and control points
-  std::vector<std::string> notes;   ///< repairs of meshes, a sentence each
-  double reach = 0;  ///< m, after thinning the largest distance of a surface position from the points, else 0
+  std::vector<std::string> notes;   ///< repairs of meshes, one sentence each
+  double reach = 0;  ///< m, after thinning: largest distance of a surface position from the points; else 0
 };
 
 inline void addPoint(SampledPoints& m, const Vec3d& x, const Vec3d& n, std::uint8_t flags = 0) {
@@ -31,8 +31,8 @@ SampledPoints samplePoints(const OrientedBody& body, double spacing, std::uint64
 /// other sources.
 double areaFactorOf(const OrientedBody& body, double spacing);
 
-/// Returns evenly spread points of an open or closed mesh with its normals (blueNoise). Throws ShapeError and
-/// exceptions of the loader.
+/// Returns evenly spread points on an open or closed mesh, with the mesh's normals (blueNoise). Throws
+/// ShapeError and the loader's exceptions.
 SampledPoints sampleMesh(const Shape& shape, double spacing, std::uint64_t seed, const MeshLoader& load);
 
 }  // namespace thaw

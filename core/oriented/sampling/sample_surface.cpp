@@ -15,7 +15,7 @@
 namespace thaw {
 namespace {
 
-// Most lattice points along an axis: bins of samples have 21 bits (poisson_discs.cpp).
+// Maximum number of lattice points along an axis, since bins of samples have 21 bits (poisson_discs.cpp).
 constexpr int mostAlong = 1 << 20;
 
 Vec3i latticeOf(const Vec3d& size, double fine) {
@@ -30,8 +30,8 @@ Vec3i latticeOf(const Vec3d& size, double fine) {
   return count;
 }
 
-/// Calls use(i, j, k) for the lattice points in [low, high) that may lie within `fine` of the surface. Blocks
-/// are halved until the distance of their centre excludes them.
+/// Calls use(i, j, k) for the lattice points in [low, high) that may lie within `fine` (m) of the surface.
+/// Blocks are halved until the distance of their centre excludes them.
 template<class At, class Use>
 void eachNearSurface(const SignedDistance& shape, double fine, const Vec3i& low, const Vec3i& high,
                      const At& at, const Use& use) {

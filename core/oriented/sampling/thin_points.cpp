@@ -13,7 +13,7 @@
 namespace thaw {
 namespace {
 
-// Factor of the mean nearest distance of even points: largest distance of a surface position from them.
+// Largest distance of a surface position from evenly spread points, over the points' mean nearest distance.
 constexpr double evenReach = 0.95;
 constexpr double chosenByError = 0.33;  // fraction of the kept points
 constexpr int rounds = 4;
@@ -54,7 +54,7 @@ std::vector<std::uint32_t> evenly(const SampledPoints& m, const PointTree& tree,
     (these.size() > wanted ? low : high) = apart;
     if (these.size() <= wanted) kept = these;
   }
-  // a lattice allows only certain counts: fill up with the first points of the next smaller radius
+  // a lattice allows only certain counts, so the first points of the next smaller radius fill up the list
   if (kept.size() < wanted) kept = keptAt(low, std::move(kept));
   if (kept.size() > wanted) kept.resize(wanted);
   std::sort(kept.begin(), kept.end());

@@ -19,7 +19,7 @@
 namespace thaw {
 namespace {
 
-/// A plane that cuts a piece.
+/// Plane that cuts a piece.
 struct Cut {
   double ratio = 1;          ///< principal stress over the strength; above 1
   std::uint64_t particle;    ///< id
@@ -41,8 +41,8 @@ std::pair<double, Vec3d> principalStress(const Sym3d& stress) {
   return {e.value[k], e.vector[k]};
 }
 
-/// Returns the middle of the member's bond with the largest tension along a direction, relative to the
-/// particle.
+/// Returns the middle (m, relative to the particle) of the member's bond with the largest tension along a
+/// direction.
 Vec3d mostStretched(const BondedPieces& b, std::size_t m, const BondedMotion& motion, const Vec3d& along) {
   double most = -never;
   Vec3d middle{};
@@ -59,7 +59,7 @@ Vec3d mostStretched(const BondedPieces& b, std::size_t m, const BondedMotion& mo
   return middle;
 }
 
-/// Returns a cut at the most overloaded particle of this rank for each row of pieces.
+/// Returns for each row of pieces a cut at the most overloaded particle on this rank.
 Cuts cutsHere(const RigidView& v, const BondedPieces& b, const BondedMotion& motion) {
   const Continuum& p = v.particles;
   Cuts cuts(v.pieces.owned);
@@ -75,7 +75,7 @@ Cuts cutsHere(const RigidView& v, const BondedPieces& b, const BondedMotion& mot
   return cuts;
 }
 
-/// Replaces the cuts of this rank by those with the largest ratio on any rank.
+/// Replaces the cuts of this rank by the cuts with the largest ratio on any rank.
 void chooseCuts(const RigidView& v, std::span<const std::uint32_t> hit, Cuts& cuts, Reducer& all) {
   constexpr std::size_t width = 9;  // piece, particle, ratio, origin, normal
   PieceRecords own{width, {}};
@@ -94,7 +94,7 @@ void chooseCuts(const RigidView& v, std::span<const std::uint32_t> hit, Cuts& cu
   }
 }
 
-/// Marks the particles on both sides of the cuts, which do not weld while they are hot. ahead: side of each
+/// Marks the particles on both sides of the cuts. They do not weld while they stay hot. ahead: side of each
 /// row.
 void markFractures(const RigidView& v, std::span<const std::uint8_t> ahead) {
   Continuum& p = v.particles;
@@ -129,7 +129,7 @@ void splitPieces(const RigidView& v, const Halos& halos, const Cuts& cuts) {
   if (halos.all.rank() == 0) v.counters.brokenPieces += broken;
 }
 
-/// Breaks the hit pieces whose strength is exceeded. Returns true if some piece of any rank broke.
+/// Breaks the hit pieces whose strength is exceeded. Returns true if any piece broke on any rank.
 bool breakHit(const RigidView& v, const Halos& halos, std::span<const FoundContact> contacts,
               std::span<const std::uint32_t> hit) {
   double any = hit.empty() ? 0 : 1;
@@ -149,15 +149,16 @@ bool breakHit(const RigidView& v, const Halos& halos, std::span<const FoundConta
   return true;
 }
 
-/// Records the loads to which impulses of the next step are compared. They decay over several steps, so a
-/// contact that is lost for one step is no impact when it returns.
+/// Records the loads with which impulses of the next step are compared. The loads decay over several steps,
+/// so a contact that is lost for one step does not return as an impact.
 void recordLoads(Pieces& p, std::span<const double> sizes, double dt) {
   constexpr double kept = 0.5;
   for (std::size_t k = 0; k < p.owned; k++)
     p.contactLoad[k] = std::max(sizes[k] / dt, kept * p.contactLoad[k]);
 }
 
-/// Solves contacts and breaks overloaded pieces, by turns. Returns the contacts of the last parts.
+/// Alternates between the contact solve and the breaking of overloaded pieces. Returns the contacts of the
+/// final pieces.
 SolvedContacts solveAndBreak(const RigidView& v, const Halos& halos, double dt) {
   for (int cuts = 0;; cuts++) {
     SolvedContacts solved = findContactImpulses(v, halos, dt);

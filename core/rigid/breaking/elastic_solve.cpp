@@ -13,8 +13,8 @@
 namespace thaw {
 namespace {
 
-constexpr double tolerance = 1e-3;    // residual relative to the initial one
-constexpr int mostIterations = 3000;  // thin shells need the most
+constexpr double tolerance = 1e-3;    // residual relative to the initial residual
+constexpr int mostIterations = 3000;  // thin shells need the most iterations
 
 /// Lists the bonds of a particle. near: particles of the piece within connectedDistance.
 void addBonds(BondedPieces& b, std::span<const BondedPieces::Bond> near, double spacing) {
@@ -33,7 +33,7 @@ void addBonds(BondedPieces& b, std::span<const BondedPieces::Bond> near, double 
 struct Iteration {
   RankPieceExchange& exchange;
   std::vector<Generalised> solution, residual, product;
-  std::vector<double> size;        ///< by piece: squared residual in the norm of the preconditioner
+  std::vector<double> size;        ///< by piece: squared residual, in the norm of the preconditioner
   std::vector<double> goal;        ///< by piece: size at convergence
   std::vector<std::uint8_t> done;  ///< by piece
 };
@@ -60,7 +60,7 @@ SolvedPieces solvedPieces(const RigidView& v, const BondedPieces& b) {
   return s;
 }
 
-/// Sums a number of each member by piece, over all ranks. words: scratch.
+/// Sums one number per member by piece, over all ranks. words: scratch buffer.
 template<class Value>
 std::vector<double> sumByPiece(RankPieceExchange& exchange, const BondedPieces& b,
                                std::vector<std::int64_t>& words, Value&& value) {
@@ -72,7 +72,7 @@ std::vector<double> sumByPiece(RankPieceExchange& exchange, const BondedPieces& 
   return result;
 }
 
-/// Sets `product` to the stiffness matrix times a motion.
+/// Sets `product` to the product of stiffness matrix and motion.
 void multiply(const BondedPieces& b, const BondedMotion& x, const std::vector<std::uint8_t>& done,
               std::vector<Generalised>& product) {
   for (std::size_t m = 0; m < b.member.size(); m++) {
@@ -92,7 +92,7 @@ void setRow(BondedMotion& x, std::uint32_t row, const Generalised& g) {
   x.angular[row] = g.angular;
 }
 
-/// Takes one iteration for all pieces that are not done. Returns false if none is left on any rank.
+/// Performs one iteration for all pieces that have not converged. Returns false if none remain on any rank.
 bool iterate(const RigidView& v, const Halos& halos, const BondedPieces& b, BondedMotion& direction,
              Iteration& it) {
   refresh(halos.cells, v.particles, ColumnList{&direction.linear, &direction.angular}).wait();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Static stress of rigid pieces under the forces of an impact, balanced by their inertia [MMDJ01].
 //
-// Neighbouring particles are bonded by short beams, as in the bonded-particle model [PC04]. The length and
-// the width of a beam are the spacing a. A particle has a displacement u and a rotation phi. The energy of a
-// bond is
+// Short beams bond neighbouring particles, as in the bonded-particle model [PC04]. The length and the
+// width of a beam are the spacing a. A particle has a displacement u and a rotation phi. The energy of a bond
+// is
 //   E a (|delta|^2 + a^2 / 12 |theta|^2) / 2,
 //   delta = u_j - u_i - (phi_i + phi_j) x l / 2,   theta = phi_j - phi_i,   l = x_j - x_i.
 // On the cubic lattice this is an isotropic medium with Poisson's ratio 0, and a row of particles is a beam.
@@ -21,12 +21,12 @@
 
 namespace thaw {
 
-/// Displacement and rotation, or their force and moment.
+/// Displacement and rotation, or force and moment.
 struct Generalised {
   Vec3d linear{}, angular{};
 };
 
-/// A vector of the iteration at all rows, with ghosts.
+/// Vector of the iteration over all rows, including ghosts.
 struct BondedMotion : Table {
   BondedMotion() : Table("bonded motion") {
     activate(linear);
@@ -49,7 +49,7 @@ struct BondedPieces {
   std::vector<std::size_t> first;     ///< by member, and the end: its first bond
   std::vector<Bond> bonds;            ///< in the order of cells and ids
 
-  /// Returns the index in `pieces` of a row of pieces that is in it.
+  /// Returns the index of `row` in `pieces`. Requires: `pieces` contains it.
   std::uint32_t systemOf(std::uint32_t row) const {
     return static_cast<std::uint32_t>(std::ranges::lower_bound(pieces, row) - pieces.begin());
   }
@@ -58,16 +58,16 @@ struct BondedPieces {
   }
 };
 
-/// Finds the bonds of pieces. Bonded are neighbours within joinDistance, and those within connectedDistance
-/// that have no such neighbour in common. Requires: Continuum::piece of ghosts.
+/// Finds the bonds of pieces. Neighbours within joinDistance are bonded. Neighbours within connectedDistance
+/// are bonded if they have no common neighbour within joinDistance. Requires: Continuum::piece of ghosts.
 BondedPieces bondPieces(const RigidView& view, std::span<const std::uint32_t> pieces);
 
 /// Returns the load of each member: the forces of contacts, and the inertia that balances them.
 std::vector<Generalised> balancedLoads(const RigidView& view, const BondedPieces& bonded,
                                        const ImpactLoads& loads);
 
-/// Sets `motion` to the displacements under the loads. Conjugate gradients, with exact sums for each piece.
-/// Returns true if they converged. Collective.
+/// Sets `motion` to the displacements under the loads, by conjugate gradients with exact sums for each piece.
+/// Returns true if the iteration converged. Collective.
 bool solveBonds(const RigidView& view, const Halos& halos, const BondedPieces& bonded,
                 std::span<const Generalised> loads, BondedMotion& motion);
 
@@ -75,7 +75,7 @@ bool solveBonds(const RigidView& view, const Halos& halos, const BondedPieces& b
 /// its bonds.
 Sym3d stressOf(const BondedPieces& bonded, std::size_t member, std::uint32_t row, const BondedMotion& motion);
 
-/// Returns the force (N) of a bond on a particle, and its moment (N m) in the middle of the bond.
+/// Returns the force (N) of a bond on a particle, and the moment (N m) at the middle of the bond.
 Generalised bondForce(const BondedPieces::Bond& bond, std::uint32_t row, double spacing,
                       const BondedMotion& motion);
 

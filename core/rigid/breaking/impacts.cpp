@@ -9,9 +9,9 @@
 namespace thaw {
 namespace {
 
-constexpr double impactFactor = 2;  // impulses of an impact over those of known loads
+constexpr double impactFactor = 2;  // lower limit of an impact's impulses over those of known loads
 
-/// Returns the length (m) of a rod with the mass and the largest second moment of mass of the piece.
+/// Returns the length (m) of a rod with the mass of the piece and its largest second moment of mass.
 double lengthOf(const Pieces& p, std::size_t k) {
   const Vec3d& i = p.inertia[k];
   const double most = 0.5 * (i.x + i.y + i.z) - std::min({i.x, i.y, i.z});
@@ -23,7 +23,7 @@ double durationOf(const Pieces& p, std::size_t k, const Material& m) {
   return m.impactModulus > 0 ? 2 * lengthOf(p, k) / std::sqrt(m.impactModulus / m.density) : 0;
 }
 
-/// Least strength (Pa) of all breaking materials, and their shortest duration of an impact per length (s/m).
+/// Smallest strength (Pa) of all breaking materials, and their shortest impact duration per length (s/m).
 struct Weakest {
   double strength = never, perLength = never;
 };
@@ -79,7 +79,8 @@ std::vector<std::uint32_t> findHit(const RigidView& v, std::span<const double> s
     const bool known = p.contactLoad[k] >= 0;
     if (!known || p.fixed[k] || p.sleeping[k] || p.count[k] < leastToBreak) continue;
     if (!(sizes[k] > impactFactor * dt * std::max(p.contactLoad[k], p.mass[k] * g))) continue;
-    // The largest stress is that of a bar of one particle, bent by the whole force over its length.
+    // The largest possible stress occurs in a bar one particle thick that the whole force bends over its
+    // length.
     const double size = lengthOf(p, k), force = sizes[k] / (weakest.perLength * size),
                  most = 6 * std::max(1.0, size / spacing) * force / (spacing * spacing);
     if (most > weakest.strength) hit.push_back(k);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Impacts of rigid pieces, and their forces. A contact impulse J of an impact acts for the time 2 L / c. In
-// this time a pressure wave of speed c = sqrt(E / rho) crosses a piece of length L and returns. The force
-// J c / (2 L) is exact for rods that meet end to end.
+// Impacts of rigid pieces, and their forces. The contact impulse J of an impact acts for the time 2 L / c. In
+// this time, a pressure wave of speed c = sqrt(E / rho) crosses a piece of length L and returns. The force J
+// c / (2 L) is exact for rods that collide end to end.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -14,20 +14,20 @@
 
 namespace thaw {
 
-/// Pieces of fewer particles do not break.
+/// Pieces with fewer particles do not break.
 inline constexpr std::uint64_t leastToBreak = 16;
 
 /// Returns the sum of the magnitudes of the contact impulses (N s) of each row, over all ranks. Collective.
 std::vector<double> contactSizes(const RigidView& view, std::span<const FoundContact> contacts, Reducer& all);
 
-/// Returns the rows, ascending, of pieces that an impact may break in the step of dt (s). Their contact
-/// impulses (sizes) exceed twice those of their known loads and of their weight, and the stress may reach the
-/// strength. Equal on all ranks with a row.
+/// Returns the rows, ascending, of pieces that an impact may break in the step of dt (s). The contact
+/// impulses of these pieces (sizes, N s) exceed twice the impulses of known loads and weight, and the stress
+/// may reach the strength. The result for a row is the same on all ranks that have the row.
 std::vector<std::uint32_t> findHit(const RigidView& view, std::span<const double> sizes, double dt);
 
-/// Forces of contacts on particles of the hit pieces.
+/// Contact forces on particles of the hit pieces.
 struct ImpactLoads {
-  PieceRecords records{recordWords, {}};  ///< all loads of the pieces that this rank holds
+  PieceRecords records{recordWords, {}};  ///< all loads on the pieces that this rank holds
   static constexpr std::size_t recordWords = 9;
   std::uint64_t piece(std::size_t k) const { return records.at(k)[0]; }
   std::uint64_t particle(std::size_t k) const { return records.at(k)[1]; }

@@ -9,7 +9,7 @@
 namespace thaw {
 namespace {
 
-/// Holders and records of a piece, at its home rank.
+/// Ranks that hold a piece, and its records, at its home rank.
 struct Entry {
   std::vector<int> holders;
   std::vector<std::uint64_t> words;

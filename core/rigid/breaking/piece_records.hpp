@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exchange of records about pieces: from any rank to all ranks that hold the piece.
+// Exchange of records about pieces, from any rank to all ranks that hold the piece.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace thaw {
 
-/// Records of a fixed number of words. The first word is the piece.
+/// Records with a fixed number of words. The first word is the id of the piece.
 struct PieceRecords {
   std::size_t width = 1;
   std::vector<std::uint64_t> words;
@@ -20,7 +20,7 @@ struct PieceRecords {
 };
 
 /// Returns the records of all ranks about the pieces that this rank holds, sorted by their words. The home
-/// ranks of the pieces forward them. ownPieces: pieces of this rank. Collective.
+/// ranks of the pieces forward the records. ownPieces: pieces of this rank. Collective.
 PieceRecords shareRecords(const PieceRecords& own, std::span<const std::uint64_t> ownPieces, Reducer& all);
 
 }  // namespace thaw

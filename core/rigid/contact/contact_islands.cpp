@@ -20,7 +20,7 @@ bool movable(const PieceMotion& m) { return m.inverseMass > 0; }
 struct RowLabels {
   std::vector<std::uint64_t> label;  ///< 1 + the smallest id of the rows of the island on all ranks;
                                      ///< noIsland: none
-  std::vector<std::uint8_t> shared;  ///< 1: further ranks have rows of the island
+  std::vector<std::uint8_t> shared;  ///< 1: other ranks also have rows of the island
 };
 
 RowLabels labelRows(std::span<const PieceMotion> pieces, std::span<const RigidContact> contacts,
@@ -97,7 +97,8 @@ void writePart(std::uint64_t label, const Members& m, std::span<const PieceMotio
   }
 }
 
-/// Adds a received part to its island. Rows of contacts refer to `pieces` of the island before it is sorted.
+/// Adds a received part to its island. Rows of contacts are indices into `pieces` of the island before
+/// sorting.
 void readPart(const std::vector<std::uint64_t>& words, std::size_t& at, ContactIsland& island,
               GatheredIslands::Part& part) {
   const std::size_t rows = words[at + 1], contacts = words[at + 2];
@@ -117,12 +118,12 @@ void readPart(const std::vector<std::uint64_t>& words, std::size_t& at, ContactI
   }
 }
 
-/// Places of rows and contacts in the sorted island.
+/// Indices of rows and contacts in the sorted island.
 struct SortedPlaces {
   std::vector<std::uint32_t> row, contact;
 };
 
-/// Sorts rows by id, and merges those of several parts.
+/// Sorts rows by id, and merges equal rows of several parts.
 void sortRows(ContactIsland& s, std::vector<std::uint32_t>& place) {
   std::vector<std::uint64_t> ids = s.ids;
   std::sort(ids.begin(), ids.end());
@@ -137,8 +138,8 @@ void sortRows(ContactIsland& s, std::vector<std::uint32_t>& place) {
   s.pieces = std::move(pieces);
 }
 
-/// Sorts contacts by their particles. Contacts of one particle with an obstacle, or with faces and edges of
-/// one other particle, differ by their normals, gaps and points.
+/// Sorts contacts by their particles. A particle may have several contacts with an obstacle, or with faces
+/// and edges of another particle. These are sorted by normals, gaps and points.
 void sortContacts(ContactIsland& s, std::vector<std::uint32_t>& place) {
   std::vector<std::uint32_t> order(s.contacts.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -190,7 +191,7 @@ GatheredIslands readIslands(const std::vector<WordStream>& in) {
   return g;
 }
 
-/// Sends lists to their ranks. Collective.
+/// Sends lists to their ranks, and returns the received ones. Collective.
 std::vector<WordStream> send(WordStreams out, Reducer& all) {
   return all.size() > 1 ? all.sparseAllToAll(std::move(out.lists)) : std::move(out.lists);
 }
@@ -236,7 +237,7 @@ void returnIslands(const GatheredIslands& g, std::span<PieceMotion> pieces, std:
     for (const std::uint32_t r : sent.rows) {
       const auto change = takeWords<PieceChange>(list.words, at);
       const auto velocity = takeWords<Vec3d>(list.words, at), spin = takeWords<Vec3d>(list.words, at);
-      if (!movable(pieces[r])) continue;  // may be in several islands
+      if (!movable(pieces[r])) continue;  // prescribed rows may be in several islands
       changes[r] = change;
       pieces[r].velocity = velocity;
       pieces[r].spin = spin;

@@ -12,16 +12,16 @@ namespace thaw {
 namespace {
 
 // The code is 1 + ahead + ends * behind + angle / pi. A float holds it without rounding.
-constexpr int ends = 17;          // numbers of an end; 0: the edge goes on
+constexpr int ends = 17;          // number of codes for an end; 0: the edge continues
 constexpr double endStep = 0.1;   // spacings
-constexpr double angles = 32768;  // directions in half a turn
+constexpr double angles = 32768;  // number of directions in half a turn
 
 struct Unpacked {
   Vec3d along{};
   int ahead = 0, behind = 0;
 };
 
-/// Two unit vectors that are normal to the vector to the edge, and to each other.
+/// Two orthogonal unit vectors normal to the vector to the edge.
 struct Across {
   Vec3d first, second;
 };

@@ -10,14 +10,17 @@ namespace thaw {
 namespace {
 
 constexpr double facing = 0.7;          // cosine between the normals of two planes that touch
-constexpr double cone = 0.9;            // edges replace spheres slightly beyond the normals of their faces
-constexpr double edgeReach = 0.6;       // spacings, along an edge from the point nearest to the particle
-constexpr double leastCrossing = 0.05;  // sine of the angle between edges that cross
-constexpr double deepestEdge = 0.5;     // spacings, largest overlap of an edge; deeper is beside another face
-constexpr double shallow = 0.03;        // spacings; edges that overlap by more than this and the distance to
-                                        // an end touch a face there
+constexpr double cone = 0.9;            // an edge still replaces the sphere slightly beyond the normals of
+                                        // its faces
+constexpr double edgeReach = 0.6;       // spacings, half the length that an element describes along an edge
+constexpr double leastCrossing = 0.05;  // smallest sine of the angle between edges that cross
+constexpr double deepestEdge = 0.5;     // spacings, largest overlap of an edge; deeper points belong to
+                                        // another face
+constexpr double shallow = 0.03;        // spacings; edges touch a face instead if they overlap by more than
+                                        // this plus the distance to an end
 
-/// Returns true if the point of the element in this direction lies on its part of the surface.
+/// Returns true if the element's point in this direction lies on the part of the surface that the element
+/// describes.
 bool reaches(const PlacedElement& e, const Vec3d& direction, double spacing) {
   if (e.round()) return true;
   const double cosine = dot(e.normal, direction);
@@ -25,13 +28,13 @@ bool reaches(const PlacedElement& e, const Vec3d& direction, double spacing) {
   return e.plane() || e.radius * length(direction - cosine * e.normal) <= sphereReach * spacing;
 }
 
-/// Point (m) of the surface that is outermost in a direction, from the particle; edges are round.
+/// Returns the outermost point of the surface in a direction (m, relative to the particle). Edges are round.
 Vec3d roundPoint(const PlacedElement& e, const Vec3d& direction) {
   if (e.round() || e.plane()) return e.offset * direction;
   return (e.offset - e.radius) * e.normal + e.radius * direction;
 }
 
-/// The same with sharp edges.
+/// Returns the same for sharp edges.
 Vec3d outerPoint(const PlacedElement& e, const Vec3d& direction) {
   return isEdgeOutermost(e, direction) ? e.edge.to : roundPoint(e, direction);
 }
@@ -49,13 +52,14 @@ std::optional<Vec3d> commonNormal(const PlacedElement& a, const PlacedElement& b
   return line / size;
 }
 
-/// Distance (m) along a plane element from its particle to a point.
+/// Returns the distance (m) along a plane element from its particle to a point.
 double tangentialDistanceOf(const PlacedElement& plane, const Vec3d& point) {
   const Vec3d to = point - plane.position;
   return length(to - dot(to, plane.normal) * plane.normal);
 }
 
-/// Room (m) along an edge from its nearest point to the end of the part that the element describes.
+/// Returns the length (m) along an edge from its nearest point to the end of the part that the element
+/// describes.
 double partAlong(double end, double spacing) { return end < HUGE_VAL ? end : edgeReach * spacing; }
 
 /// Returns the contact of two sharp edges that cross.
@@ -90,8 +94,8 @@ std::optional<ElementContact> edgeOnSphere(const PlacedElement& a, const PlacedE
   return ElementContact{point - 0.5 * gap * n, n, gap, std::abs(s)};
 }
 
-/// Returns the contact of an edge or corner with an element that is no plane; none if the edge is not where
-/// they touch.
+/// Returns the contact of an edge or corner with an element that is not a plane; none if they do not touch at
+/// the edge.
 std::optional<ElementContact> contactOfEdge(const PlacedElement& a, const PlacedElement& b, double spacing) {
   if (a.sharp() && b.sharp()) return crossingOf(a, b, spacing);
   if (a.sharp()) return edgeOnSphere(a, b, spacing);
@@ -109,14 +113,14 @@ std::optional<ElementContact> contactOf(const PlacedElement& a, const PlacedElem
   if (!n || !reaches(a, -*n, spacing) || !reaches(b, *n, spacing)) return {};
   const Vec3d to = a.position - b.position;
   const double height = dot(to, *n);
-  if (!(height > -spacing)) return {};  // the two are back to back
+  if (!(height > -spacing)) return {};  // the elements are back to back
   const bool planes = a.plane() || b.plane();
   const Vec3d outerA = planes ? outerPoint(a, -*n) : roundPoint(a, -*n),
               outerB = planes ? outerPoint(b, *n) : roundPoint(b, *n);
   ElementContact c{{}, *n, height + dot(outerA - outerB, *n), length(to - height * *n)};
   const bool edge = planes && (isEdgeOutermost(a, -*n) || isEdgeOutermost(b, *n));
   if (edge && -c.gap > deepestEdge * spacing) return {};
-  // surface points of spheres and edges; on planes the point opposite
+  // surface points of spheres and edges; on a plane, the point opposite to the other element
   const Vec3d pa = a.position + outerA, pb = b.position + outerB;
   const Vec3d middle = a.plane() == b.plane() ? 0.5 * (pa + pb) : a.plane() ? pb : pa;
   const double between = a.plane() == b.plane() ? 0 : (a.plane() ? 0.5 : -0.5) * c.gap;

@@ -11,12 +11,12 @@
 
 namespace thaw {
 
-/// An element in the scene.
+/// Element in the frame of the scene.
 struct PlacedElement {
   Vec3d position{};               ///< m, of the particle
   Vec3d normal{};                 ///< outward unit normal; zero: round
   double offset = 0, radius = 0;  ///< m
-  SharpEdge edge{};               ///< a round element may have one, from its particle
+  SharpEdge edge{};               ///< edge of a round element, relative to the particle; may be absent
 
   bool round() const { return normal == Vec3d{}; }
   bool plane() const { return !round() && radius > 1e30; }
@@ -28,44 +28,46 @@ struct ElementContact {
   Vec3d point{};                  ///< m
   Vec3d normal{};                 ///< unit vector towards the first element
   double gap = 0;                 ///< m
-  double tangentialDistance = 0;  ///< m, distance along the surface: of the two particles, or of the point
-                                  ///< from the particle of a plane
-  bool crossing = false;  ///< two sharp edges cross
+  double tangentialDistance = 0;  ///< m, along the surface: distance between the two particles, or of the
+                                  ///< point from a plane's particle
+  bool crossing = false;          ///< two sharp edges cross
 };
 
-/// Returns the contact of two elements whose surfaces face each other, if it lies on both. A plane gives the
-/// normal; two spheres touch on their line of centres, and two edges that cross on the line normal to both.
+/// Returns the contact of two elements that face each other, if it lies on both surfaces. A plane gives the
+/// normal. Two spheres touch on their line of centres. Two crossing edges touch on the line normal to both.
 std::optional<ElementContact> contactOf(const PlacedElement& a, const PlacedElement& b, double spacing);
 
-/// Returns an element at a position, turned from the body frame to that of the scene.
+/// Returns an element at a position (m), rotated from the body frame to the frame of the scene.
 PlacedElement placedElement(const SurfaceElement& e, const Vec3d& position, const Quat& orientation,
                             double spacing);
 
 /// Returns true if the edge or corner of an element is its outermost point in a direction (unit vector).
 bool isEdgeOutermost(const PlacedElement& e, const Vec3d& direction);
 
-/// Returns true if the element of an edge describes the edge at s (m) along it, from its nearest point.
+/// Returns true if the element of an edge describes the edge at the distance s (m) along it from its nearest
+/// point.
 bool onPart(const SharpEdge& edge, double s, double spacing);
 
-/// Returns the normals of the faces on both sides of a right-angled edge, if the particle has the same
-/// distance from both; else zeros.
+/// Returns the normals of both faces of a right-angled edge, if the particle has the same distance from both;
+/// else zeros.
 std::array<Vec3d, 2> facesBeside(const PlacedElement& e);
 
 /// Returns the extent (m) of a round element from its particle in a direction (unit vector).
 double extentTowards(const PlacedElement& e, const Vec3d& direction, double spacing);
 
-/// Returns the largest distance (m) of the surface that a round element describes from its particle.
+/// Returns the largest distance (m) between the particle of a round element and the surface that it
+/// describes.
 double extentOf(const PlacedElement& e, double spacing);
 
 struct OutermostPoint {
   Vec3d point{};            ///< m
-  Vec3d curvatureCentre{};  ///< m, body point whose distance from a plane there does not change as the body
-                            ///< turns: the centre of curvature, or the point itself
-  bool atRim = false;  ///< the element ends there; another one is likely to be further out
+  Vec3d curvatureCentre{};  ///< m, centre of curvature, or the point itself for an edge or corner. Its
+                            ///< distance from a plane there does not change when the body rotates
+  bool atRim = false;       ///< the element ends there; another element probably has a point farther out
 };
 
-/// Returns the point of an element that is outermost in a direction (unit vector), within its part of the
-/// surface, on sharp edges where the shape has them; nothing if it faces away.
+/// Returns the outermost point of an element in a direction (unit vector), within its part of the surface.
+/// Sharp edges of the shape are included. Returns nothing if the element faces away.
 std::optional<OutermostPoint> outermost(const PlacedElement& e, const Vec3d& direction, double spacing);
 
 }  // namespace thaw

@@ -15,16 +15,17 @@
 namespace thaw {
 namespace {
 
-constexpr double nearGap = 0.03;   // spacings; smaller gaps are contacts at any velocity
-constexpr double faceGap = 0.03;   // spacings; faces count before edges that are not this much closer
-constexpr double flatEdge = 0.3;   // spacings; faces with round edges are plane so far beyond their outermost
-constexpr double roundEdge = 0.5;  // particles, have a chamfer up to here, and are round further out
-constexpr double overEdge = 0.02;  // spacings; contacts so far beyond a sharp edge are still on its face
-constexpr double onFace = 0.1;     // spacings, largest distance of the edge of a face from its plane
-constexpr double besideEdge = 1.6;     // spacings; particles beside an edge describe their faces so far
+constexpr double nearGap = 0.03;    // spacings; smaller gaps are contacts at any velocity
+constexpr double faceGap = 0.03;    // spacings; an edge must be this much closer than a face to replace it
+constexpr double flatEdge = 0.3;    // spacings; faces with round edges are plane up to here beyond their
+                                    // outermost
+constexpr double roundEdge = 0.5;   // particles, then have a chamfer up to here, and are round farther out
+constexpr double overEdge = 0.02;   // spacings; contacts up to here beyond a sharp edge are still on its face
+constexpr double onFace = 0.1;      // spacings, largest distance of a face's edge from the face's plane
+constexpr double besideEdge = 1.6;  // spacings; particles at an edge describe their faces up to here
 constexpr double flushOverlap = 0.15;  // spacings, largest overlap of aligned edges with a face
-constexpr double onePoint = 0.5;   // spacings; crossings of edges that are nearer to each other are the same
-constexpr double lookAhead = 1.5;  // steps; motions change within the step
+constexpr double onePoint = 0.5;       // spacings; closer crossings of edges are the same contact
+constexpr double lookAhead = 1.5;      // steps; more than one, because motions change within the step
 
 bool isAsleep(const ContactSearch& s, std::size_t i) {
   return s.pieces.sleeping[s.particles.pieceRow[i]] != 0;
@@ -35,12 +36,12 @@ bool mayClose(const ContactSearch& s, std::span<const PieceMotion> motion, const
   return c.gap < nearGap * s.scene.spacing + lookAhead * s.step * std::max(0.0, approach);
 }
 
-/// A surface particle, with what each comparison with it reads.
+/// Surface particle with the data used in comparisons.
 struct SurfaceParticle {
   PlacedElement element;
   Vec3d centre;                ///< m, of the sphere
-  double size;                 ///< m, largest distance of the surface from the centre; infinite: plane
-  std::array<Vec3d, 2> faces;  ///< normals of the faces beside an edge
+  double size;                 ///< m, largest distance of the surface from the centre; plane: infinite
+  std::array<Vec3d, 2> faces;  ///< normals of the faces at an edge
   std::uint64_t piece;
   std::uint32_t row;
   std::uint8_t bend;  ///< result of bend()
@@ -52,10 +53,10 @@ struct SurfaceCells {
   std::vector<SurfaceParticle> rows;
   CellTable cells;                       ///< cells with rows; first and count refer to `rows`
   std::vector<std::uint64_t> low, high;  ///< smallest and largest piece of each cell
-  std::vector<std::uint8_t> awake;       ///< 1: a piece in the cell is awake
+  std::vector<std::uint8_t> awake;       ///< 1: any piece in the cell is awake
 };
 
-/// 2: edges and corners, 1: curved surfaces, 0: planes.
+/// Returns 2 for edges and corners, 1 for curved surfaces, 0 for planes.
 std::uint8_t bend(const PlacedElement& e) { return e.round() ? 2 : e.plane() ? 0 : 1; }
 
 SurfaceParticle surfaceParticle(const ContactSearch& s, std::uint32_t i) {
@@ -89,13 +90,13 @@ SurfaceCells surfaceCells(const ContactSearch& s) {
   return t;
 }
 
-/// The cells around one cell after the other, ascending by key. The first cell of each row of three ascends,
-/// too, so no search is needed.
+/// Iterates over the cells around each cell, ascending by key. The first cell of each row of three also
+/// ascends, so no search is needed.
 class CellsAround {
  public:
   explicit CellsAround(const SurfaceCells& t) : t_(t) {}
 
-  /// Lists the rows around cell c; returns true if they all belong to one piece, or to sleeping ones.
+  /// Lists the rows around cell c. Returns true if all belong to one piece, or all pieces sleep.
   bool nothingToTouch(std::size_t c, std::vector<RowSpan>& ranges) {
     const std::vector<std::uint64_t>& key = t_.cells.key;
     const Vec3i at = cellOfKey(key[c]);
@@ -119,18 +120,19 @@ class CellsAround {
 
  private:
   const SurfaceCells& t_;
-  std::array<std::size_t, 9> next_{};  ///< first cell of each row of three that is not below it
+  std::array<std::size_t, 9> next_{};  ///< first cell that is not before each row of three
 };
 
 struct Search {
   const ContactSearch& in;
   std::span<const PieceMotion> motion;
   Periods periods;
-  std::vector<double> rimSpeed;  ///< m/s, for each row: bound of the speed of its contacts about its centre
+  std::vector<double> rimSpeed;  ///< m/s, for each row: upper bound of the speed of its contacts relative to
+                                 ///< its centre
   std::vector<FoundContact> found;
 };
 
-/// Returns the common part of all contacts of a particle.
+/// Returns a contact with the data common to all contacts of a particle.
 FoundContact startOf(const Search& s, std::uint32_t i, const ElementContact& e) {
   const Continuum& p = s.in.particles;
   FoundContact f;
@@ -145,19 +147,19 @@ FoundContact startOf(const Search& s, std::uint32_t i, const ElementContact& e) 
   return f;
 }
 
-/// A particle that another one may touch, or a face beside its edge.
+/// Particle that another particle may touch, or a face at its edge.
 struct Candidate {
   const SurfaceParticle* particle;
   std::uint8_t bend;  ///< result of bend(); 0: a face
-  Vec3d normal;       ///< the one of a face
+  Vec3d normal;       ///< normal of a face
   std::optional<ElementContact> contact;
-  double beyond = 0;      ///< m, distance of the point of contact from the face that the element belongs to
-  std::uint32_t bin = 0;  ///< directionBin of the normal of the contact
+  double beyond = 0;      ///< m, distance of the contact point beyond the face of the element
+  std::uint32_t bin = 0;  ///< directionBin of the contact normal
 
   const PlacedElement& element() const { return particle->element; }
 };
 
-/// Returns the contact of particle i with j, without the data of materials.
+/// Returns the contact of particle i with j, without material data.
 FoundContact startOfPair(const Search& s, std::uint32_t i, std::uint32_t j, const ElementContact& e) {
   const Continuum& p = s.in.particles;
   FoundContact f = startOf(s, i, e);
@@ -186,8 +188,8 @@ bool pairMayClose(const Search& s, std::uint32_t i, std::uint32_t j, const Eleme
   return mayClose(s.in, s.motion, startOfPair(s, i, j, e).contact);
 }
 
-/// Speeds (m/s) about the centres of pieces, at the most distant points where particles of this rank may
-/// touch others.
+/// Returns upper bounds (m/s) of the rotational speed of each piece at points where particles of this rank
+/// may touch others.
 std::vector<double> rimSpeeds(const ContactSearch& in, std::span<const PieceMotion> motion) {
   const Continuum& p = in.particles;
   const Periods periods = periodsOf(in.grid);
@@ -203,8 +205,8 @@ std::vector<double> rimSpeeds(const ContactSearch& in, std::span<const PieceMoti
   return speed;
 }
 
-/// Largest gap (m) at which a contact of two particles may close within the step, whatever its point and its
-/// normal. Bevels make gaps smaller by less than a factor of 1.5, but where the radii are small.
+/// Returns the largest gap (m) at which a contact of two particles may close within the step, for any contact
+/// point and normal. Bevels reduce gaps by less than a factor of 1.5, except for small radii.
 double gapLimit(const Search& s, const SurfaceParticle& a, const SurfaceParticle& b) {
   constexpr double most = 1.5, smallRadii = 0.8;  // 1, spacings
   const double spacing = s.in.scene.spacing;
@@ -217,12 +219,12 @@ double gapLimit(const Search& s, const SurfaceParticle& a, const SurfaceParticle
   return small ? std::max(gap, spacing) : gap;
 }
 
-/// Distance (m) of the surface of a round or curved element from its centre in a direction.
+/// Returns the distance (m) from the centre of a round or curved element to its surface in a direction.
 double extentTowards(const SurfaceParticle& a, const Vec3d& direction, double spacing) {
   return a.bend == 2 ? extentTowards(a.element, direction, spacing) : a.size;
 }
 
-/// Returns true if a particle may touch a face beside the edge of another one within the step.
+/// Returns true if a particle may touch a face at the edge of another particle within the step.
 bool isNearFaces(const SurfaceParticle& a, const SurfaceParticle& b, double gap, double spacing) {
   const Vec3d to = a.centre - b.element.position;
   return std::any_of(b.faces.begin(), b.faces.end(), [&](const Vec3d& n) {
@@ -246,8 +248,8 @@ bool isNear(const Search& s, const SurfaceParticle& a, const SurfaceParticle& b)
   return size - extentTowards(a, -towards, spacing) - extentTowards(b, towards, spacing) < gap;
 }
 
-/// Vector (m) along a face to a point of contact from the nearest of its outermost particles, which are
-/// round; zero well within the face.
+/// Returns the vector (m) along a face to a contact point from the face's nearest outermost particle. The
+/// outermost particles are round. The vector is zero well within the face.
 Vec3d beyondFace(const Search& s, const Candidate& plane, std::span<const Candidate> candidates) {
   const Vec3d n = plane.contact->normal;
   const auto along = [&](const Vec3d& from) {
@@ -266,17 +268,17 @@ Vec3d beyondFace(const Search& s, const Candidate& plane, std::span<const Candid
   return beyond;
 }
 
-/// Place of a point of contact within the sharp edges of a face.
+/// Position of a contact point relative to the sharp edges of a face.
 struct WithinEdges {
-  bool sharp = false;        ///< no round edge is nearer than a sharp one
-  double inside = HUGE_VAL;  ///< m, distance from the nearest sharp edge; negative: beyond it
+  bool sharp = false;        ///< a sharp edge is present, and no round edge is closer
+  double inside = HUGE_VAL;  ///< m, distance inside the nearest sharp edge; negative: beyond the edge
   Vec3d outward{};           ///< unit vector along the face to that edge
 };
 
 WithinEdges withinEdges(const Search& s, const Candidate& plane, std::span<const Candidate> candidates) {
   const PlacedElement& face = plane.element();
   const double spacing = s.in.scene.spacing;
-  double sharp = HUGE_VAL, round = HUGE_VAL;  // squares of distances along the face
+  double sharp = HUGE_VAL, round = HUGE_VAL;  // m^2, squares of distances along the face
   WithinEdges w;
   for (const Candidate& c : candidates) {
     if (c.bend < 2 || c.particle->piece != plane.particle->piece) continue;
@@ -297,19 +299,20 @@ WithinEdges withinEdges(const Search& s, const Candidate& plane, std::span<const
   return w;
 }
 
-/// Returns true if an element touches a face within its sharp edges, and not another face beyond one of them.
+/// Returns true if an element touches a face within its sharp edges, rather than another face beyond one of
+/// the edges.
 bool touchesFace(const PlacedElement& a, const WithinEdges& at, double gap, double spacing) {
   if (at.inside < -overEdge * spacing) return false;
   if (!a.sharp()) return true;
-  // Aligned edges are flush with an edge of the face, at any overlap that occurs in contacts.
+  // Aligned edges are flush with an edge of the face, for all overlaps that occur in contacts.
   const double most = dot(a.edge.to, at.outward) < 0 ? faceGap : flushOverlap;
   return -gap < at.inside + most * spacing;
 }
 
-/// Ends faces at their edges. Faces with round edges have bevels: from flatEdge on, the gap of a particle
-/// beyond the face grows, up to that of two spheres at roundEdge. The normal is the gradient of the gap:
-/// sliding then changes no overlap that the normal velocity does not show. From roundEdge on, drops the
-/// contact: edges touch there instead.
+/// Ends faces at their edges. Faces with round edges have bevels: beyond flatEdge, the gap grows, up to the
+/// gap of two spheres at roundEdge. The normal is the gradient of the gap, so the normal velocity is the
+/// rate of change of the gap when a particle slides. Beyond roundEdge, the contact is dropped, because edges
+/// touch there.
 void endFaces(const Search& s, const PlacedElement& a, std::vector<Candidate>& candidates) {
   const double flat = flatEdge * s.in.scene.spacing;
   for (Candidate& c : candidates) {
@@ -318,7 +321,7 @@ void endFaces(const Search& s, const PlacedElement& a, std::vector<Candidate>& c
       if (!touchesFace(a, at, c.contact->gap, s.in.scene.spacing)) c.contact.reset();
       continue;
     }
-    if (c.particle->bend == 2) {  // far along the edge that the face is beside
+    if (c.particle->bend == 2) {  // too far along the edge of this face
       c.contact.reset();
       continue;
     }
@@ -338,7 +341,7 @@ void endFaces(const Search& s, const PlacedElement& a, std::vector<Candidate>& c
   }
 }
 
-/// Returns true if a particle touches the piece at o rather than at c.
+/// Returns true if contact o of a particle with a piece replaces contact c.
 bool replaces(const Search& s, const PlacedElement& a, const Candidate& o, const Candidate& c) {
   if (!o.contact || &o == &c || o.particle->piece != c.particle->piece) return false;
   const auto id = [&](const Candidate& x) { return s.in.particles.id[x.particle->row]; };
@@ -357,8 +360,8 @@ bool replaces(const Search& s, const PlacedElement& a, const Candidate& o, const
   return nearer;
 }
 
-/// Returns true if the search from particle a lists its contact with b. The search from the more curved
-/// element finds the faces and edges around the other one.
+/// Returns true if the search from particle a lists the contact with b. The search from the more curved
+/// element also finds the faces and edges around the other particle.
 bool lists(const SurfaceParticle& a, const SurfaceParticle& b) {
   return a.bend != b.bend ? a.bend > b.bend : a.piece < b.piece;
 }
@@ -376,7 +379,8 @@ void addPairContacts(Search& s, const SurfaceParticle& a, std::vector<Candidate>
       addPairContact(s, a.row, c);
 }
 
-/// Calls use(b) for surface particles b that particle a may touch, until it returns true. Returns true then.
+/// Calls use(b) for surface particles b that particle a may touch, until use(b) returns true. Returns true
+/// in that case.
 template<class Use>
 bool anyAround(const Search& s, const SurfaceParticle& a, const SurfaceCells& t,
                std::span<const RowSpan> ranges, Use&& use) {
@@ -392,13 +396,14 @@ bool anyAround(const Search& s, const SurfaceParticle& a, const SurfaceCells& t,
   return false;
 }
 
-/// Adds the faces beside an edge. Their own particles may be too far away near the corners of a face, and
+/// Adds the faces at an edge. Near the corners of a face, the face's own particles may be too far away, and
 /// narrow faces have none.
 void addFacesBeside(const Search& s, const SurfaceParticle& a, const SurfaceParticle& b,
                     std::vector<Candidate>& candidates) {
   const double spacing = s.in.scene.spacing;
   const Vec3d between = a.centre - b.element.position;
-  // A face that is dropped here never replaces an edge that may close. The limit depends on the ranks.
+  // The limit depends on the partition. This has no effect, since a face dropped here never replaces an
+  // edge that may close.
   const double gap = gapLimit(s, a, b) + faceGap * spacing;
   for (const Vec3d& n : b.faces) {
     if (n == Vec3d{} || dot(between, n) - b.element.offset - extentTowards(a, -n, spacing) > gap) continue;
@@ -430,7 +435,7 @@ void findPairsOf(Search& s, const SurfaceParticle& a, const SurfaceCells& t, std
   addPairContacts(s, a, candidates);
 }
 
-/// Contacts of pieces.
+/// Finds the contacts between pieces.
 void findPairs(Search& s) {
   const SurfaceCells t = surfaceCells(s.in);
   std::vector<RowSpan> ranges;
@@ -444,7 +449,7 @@ void findPairs(Search& s) {
   }
 }
 
-/// rebounds: whether the contact has restitution. The rim of an element of a ball that rolls closes its gap
+/// rebounds: true if the contact has restitution. On a rolling ball, the rim of an element closes its gap
 /// without an impact.
 void addWallContact(Search& s, std::uint32_t i, std::uint32_t k, const ElementContact& e, bool rebounds) {
   FoundContact f = startOf(s, i, e);
@@ -460,7 +465,8 @@ void addWallContact(Search& s, std::uint32_t i, std::uint32_t k, const ElementCo
   if (mayClose(s.in, s.motion, c)) s.found.push_back(f);
 }
 
-/// Rise (m) of a point of a piece along a normal in the next step because its path is curved.
+/// Returns the rise (m) of a point of a piece along a normal in the next step, due to the curvature of its
+/// path.
 double riseOf(const Search& s, std::uint32_t i, const Vec3d& curvatureCentre, const Vec3d& normal) {
   const PieceMotion& m = s.motion[s.in.particles.pieceRow[i]];
   const Vec3d arm = minimumImage(curvatureCentre - m.centre, s.periods);

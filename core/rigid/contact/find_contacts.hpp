@@ -23,10 +23,10 @@ struct ContactSearch {
   const CellTable& cells;      ///< with ghost cells
   const Pieces& pieces;
   const Walls& walls;
-  double step;  ///< s, the next one
+  double step;  ///< s, next step
 };
 
-/// A contact with its pieces and particles.
+/// Contact with its pieces and particles.
 struct FoundContact {
   RigidContact contact;
   std::uint64_t pieceA = 0;    ///< piece of a
@@ -47,19 +47,19 @@ PlacedElement placedElement(const Continuum& particles, const Pieces& pieces, st
                             double spacing);
 
 /// Returns the contacts that may close within the step, each on the rank that owns `particle`. motion:
-/// velocities of all rows of pieces, as the solver gets them. Patches of contact between two pieces are
-/// reduced to their outline, which supports the same forces and torques. Sleeping pieces have contacts with
-/// awake pieces and moving obstacles only. The first guesses are those of guessImpulses. Collective.
+/// motions of all rows of pieces, as input of the solver. Contact patches between two pieces are reduced to
+/// their outline, which supports the same forces and torques. Sleeping pieces have contacts only with awake
+/// pieces and moving obstacles. First guesses come from guessImpulses. Collective.
 std::vector<FoundContact> findContacts(const ContactSearch& search, std::span<const PieceMotion> motion,
                                        Reducer& all);
 
-/// Sets first guesses: the stored impulse of a particle goes to the contact with its partner along whose
-/// normal it acts most. If each of several contacts received it, the impulses of wedged pieces would grow
-/// from step to step.
+/// Sets first guesses. A particle may have several contacts with one partner. The stored impulse goes to the
+/// contact with the best aligned normal. If every contact received it, the impulses of wedged pieces would
+/// grow from step to step.
 void guessImpulses(const Continuum& particles, std::span<FoundContact> contacts);
 
-/// Stores the solved impulses in the particles, as first guesses of the next step. Particles of sleeping
-/// pieces keep theirs.
+/// Stores the solved impulses in the particles, as first guesses for the next step. Particles of sleeping
+/// pieces keep their stored impulses.
 void keepImpulses(std::span<const FoundContact> contacts, const Pieces& pieces, Continuum& particles);
 
 }  // namespace thaw

@@ -11,28 +11,29 @@
 
 namespace thaw {
 
-/// A unit that is a power of two. Terms are rounded to multiples of it, and cut at 2^82 units.
+/// Unit of sums, a power of two. Terms are rounded to multiples of it, and clamped to 2^82 units.
 struct FixedUnit {
   double unit = 1;
 
-  /// The unit that resolves `scale` > 0 to 2^-bits; with 54 bits, sums have room for terms of 2^28 scales.
+  /// Returns the unit that resolves `scale` > 0 to 2^-bits. With 54 bits, terms may be as large as 2^28
+  /// scales.
   static FixedUnit forScale(double scale, int bits = 54) {
     return {std::ldexp(1.0, std::clamp(std::ilogb(scale) + 1 - bits, -1000, 900))};
   }
 };
 
 inline constexpr double fixedMost = 0x1p82;  ///< units, largest term
-inline constexpr int fixedLowBits = 34;      ///< bits of the lower part
-inline constexpr double fixedHigh = 0x1p34;  ///< units, of the upper part
+inline constexpr int fixedLowBits = 34;      ///< number of bits of the lower part
+inline constexpr double fixedHigh = 0x1p34;  ///< unit of the upper part, in units of the sum
 
-/// N sums in two parts each. Both are whole numbers of their units below 2^53, so additions of doubles are
-/// exact: up to 2^20 terms, and sums of up to 2^86 units.
+/// N sums, each in two parts. Each part is an integer multiple of its unit, below 2^53 units. Additions of
+/// doubles are therefore exact, for up to 2^20 terms and sums of up to 2^86 units.
 template<std::size_t N> struct FixedSums {
   double high[N] = {}, low[N] = {};
 
-  /// Adds a term to each sum. units: those of the sums. Requires: terms are finite.
+  /// Adds a term to each sum. units: units of the sums. Requires: terms are finite.
   void add(const double (&terms)[N], const double (&units)[N]) {
-    // A sum with 1.5 * 2^52 units is rounded to whole units.
+    // Addition of 1.5 * 2^52 units rounds to whole units.
     constexpr double rounder = 0x1.8p52;
     for (std::size_t k = 0; k < N; k++) {
       const double most = fixedMost * units[k], x = std::min(std::max(terms[k], -most), most);
@@ -43,7 +44,7 @@ template<std::size_t N> struct FixedSums {
     }
   }
 
-  /// Writes the sum k as two integers, which sums over ranks add.
+  /// Writes sum k as two integers, for addition over ranks.
   void store(std::size_t k, double unit, std::int64_t* words) const {
     const double inverse = 1 / unit;
     words[0] = static_cast<std::int64_t>(high[k] * inverse * (1 / fixedHigh));
@@ -51,9 +52,9 @@ template<std::size_t N> struct FixedSums {
   }
 };
 
-/// The sum in two words, rounded to a double.
+/// Returns the sum in two words, rounded to a double.
 inline double fixedValue(const std::int64_t* words, double unit) {
-  // carries first, so that equal sums in different words have the same bits
+  // the carry is applied first, so equal sums in different words give the same bits
   const std::int64_t carry = words[1] >> fixedLowBits;
   const std::int64_t low = words[1] - carry * (std::int64_t{1} << fixedLowBits);
   return (static_cast<double>(words[0] + carry) * fixedHigh + static_cast<double>(low)) * unit;

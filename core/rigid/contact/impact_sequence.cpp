@@ -9,17 +9,17 @@ namespace thaw {
 namespace {
 
 constexpr int mostRounds = 200;
-constexpr int mostSweeps = 200;          // sweeps of a round
-constexpr double roundTolerance = 1e-4;  // tolerance over the fastest approach of the round
+constexpr int mostSweeps = 200;          // maximum number of sweeps in a round
+constexpr double roundTolerance = 1e-4;  // tolerance over the largest approach speed of the round
 
-/// Motions of an island during its impacts, and the response of each contact.
+/// Motions of an island during its impacts, and responses of its contacts.
 struct Impacts {
   const ContactIsland& island;
   std::vector<PieceMotion> now;
-  std::vector<double> response;  ///< 1/kg, of the normal velocity of each contact to its impulse
+  std::vector<double> response;  ///< 1/kg, response of each contact's normal velocity to its impulse
 };
 
-/// A contact that rebounds in a round.
+/// Contact that rebounds in a round.
 struct Rebound {
   std::size_t contact;
   double target;       ///< m/s
@@ -55,11 +55,11 @@ Impacts impactsOf(const ContactIsland& island) {
 
 double roomOf(const RigidContact& c, const ContactSettings& s) { return std::max(0.0, c.gap) / s.step; }
 
-/// Returns true if a contact closes in the step, fast enough for an impact. It must also close without the
-/// velocity that gravity adds: points on the outline of a rolling body close their gaps by gravity alone.
-/// Speeds below the tolerance count as none, so that impacts end without gravity, too.
+/// Returns true if a contact closes in the step, fast enough for an impact. speed: m/s, normal velocity. The
+/// contact must also close without the velocity that gravity adds, since gravity alone closes gaps on the
+/// outline of a rolling body. Speeds below the tolerance do not count, so impacts also end without gravity.
 bool hits(const RigidContact& c, const ContactSettings& s, double speed) {
-  const double byGravity = 0.55 * s.impactSpeed;  // a tenth more than it adds
+  const double byGravity = 0.55 * s.impactSpeed;  // a tenth more than gravity adds
   return -speed > roomOf(c, s) + std::max(byGravity, s.tolerance) &&
          -speed > std::max(s.impactSpeed, s.tolerance);
 }
@@ -68,7 +68,7 @@ double targetOf(const RigidContact& c, const ContactSettings& s, double speed) {
   return c.restitution > 0 && hits(c, s, speed) ? -c.restitution * speed : -roomOf(c, s);
 }
 
-/// Lists the contacts that hit. Returns their fastest approach (m/s).
+/// Lists the contacts with impacts. Returns their largest approach speed (m/s).
 double findHits(const Impacts& m, const ContactSettings& s, std::vector<Rebound>& round) {
   double fastest = 0;
   round.clear();
@@ -82,7 +82,7 @@ double findHits(const Impacts& m, const ContactSettings& s, std::vector<Rebound>
   return fastest;
 }
 
-/// Gives the contacts of a round their targets, by projected Gauss-Seidel sweeps.
+/// Brings the contacts of a round to their target velocities, by projected Gauss-Seidel sweeps.
 void rebound(Impacts& m, std::vector<Rebound>& round, double tolerance) {
   for (int k = 0; k < mostSweeps; k++) {
     double error = 0;

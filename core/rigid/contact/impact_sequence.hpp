@@ -9,16 +9,18 @@
 namespace thaw {
 
 struct ImpactTargets {
-  std::vector<double> speed;    ///< m/s, least normal velocity of each contact after the step
-  std::vector<double> impulse;  ///< N s, normal impulses of impacts that caused others; empty: none did
+  std::vector<double> speed;    ///< m/s, smallest normal velocity of each contact after the step
+  std::vector<double> impulse;  ///< N s, normal impulses of successive impacts; empty: all impacts are
+                                ///< simultaneous
 };
 
-/// Returns the targets of Newton's law, where all contacts rebound at once.
+/// Returns the targets of Newton's law: all contacts rebound at once.
 ImpactTargets simultaneousImpacts(const ContactIsland& island, const ContactSettings& settings);
 
-/// Returns the targets where impacts follow each other [SKV12]: contacts that approach rebound together
-/// without friction, then those that approach as a result, until none does. Without restitution, where
-/// impacts cause no others, or where they do not end, the targets are those of Newton's law.
+/// Returns the targets of successive impacts [SKV12]. Approaching contacts rebound together, without
+/// friction. Then the contacts that approach as a result rebound, until none approach. The targets
+/// are those of Newton's law without restitution, if impacts cause no further impacts, or if the sequence
+/// does not end.
 ImpactTargets successiveImpacts(const ContactIsland& island, const ContactSettings& settings);
 
 }  // namespace thaw

@@ -19,18 +19,18 @@ class PieceExchange {
   virtual ~PieceExchange() = default;
 
   /// Replaces words [row * perPiece, (row + 1) * perPiece) of each row by their sums, element by element. The
-  /// sum is over all ranks that hold the piece. Every holder gets the same sums. Words are signed and do not
-  /// overflow. Rows that only this rank holds stay as they are. Collective: every rank calls it equally
-  /// often, with any number of rows.
+  /// sum is over all ranks that hold the piece, and is the same on each of them. Words are signed and must
+  /// not overflow. Rows that only this rank holds do not change. Collective: every rank makes the same
+  /// number of calls, with any number of rows.
   virtual void sum(std::span<std::int64_t> words, std::size_t perPiece) = 0;
 
-  /// Replaces the word of each row by the smallest one of all holders. Collective.
+  /// Replaces the word of each row by its minimum over all ranks that hold the piece. Collective.
   virtual void minimum(std::span<std::uint64_t> words) = 0;
 
   /// Returns the id of a row, the same on all ranks that hold it.
   virtual std::uint64_t id(std::size_t row) const = 0;
 
-  /// Returns true if other ranks may hold the row. Every holder gets the same answer.
+  /// Returns true if other ranks may hold the row. The result is the same on all ranks that hold it.
   virtual bool shared(std::size_t row) const = 0;
 };
 

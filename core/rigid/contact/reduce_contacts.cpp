@@ -12,14 +12,13 @@ namespace thaw {
 namespace {
 
 constexpr std::size_t outward = 8, criteria = outward + 1;
-constexpr double gapWeight = 10;     // length along the surface that outweighs an open gap, over the gap
-constexpr double evenDepth = 0.02;   // spacings; smaller differences of depth do not count, so that the same
-                                     // contacts stay from step to step
-constexpr double closedGap = 0.002;  // spacings; contacts with larger gaps support nothing yet
-constexpr double firstAngle = 0.3;   // rad; edges of boxes along the axes are not at right angles to a
-                                     // direction
+constexpr double gapWeight = 10;     // ratio of distance along the surface to an open gap of equal weight
+constexpr double evenDepth = 0.02;   // spacings; smaller differences in depth do not count, so the same
+                                     // contacts remain from step to step
+constexpr double closedGap = 0.002;  // spacings; contacts with larger gaps do not support a load yet
+constexpr double firstAngle = 0.3;   // rad; no direction is normal to the edges of boxes along the axes
 
-/// The side of the contact that a patch counts from: the piece with the smaller id.
+/// Contact as seen from the piece with the smaller id, which defines the patch.
 struct Side {
   std::uint64_t piece, partner;
   Vec3d normal, arm;
@@ -33,7 +32,7 @@ Side sideOf(const FoundContact& f) {
 
 struct Patch {
   std::uint64_t piece, partner;
-  std::uint32_t direction;  ///< bin of normals, doubled; odd: open gaps
+  std::uint32_t direction;  ///< twice the bin of normals, plus 1 for open gaps
   auto operator<=>(const Patch&) const = default;
 };
 
@@ -43,7 +42,7 @@ Patch patchOf(const FoundContact& c, double spacing) {
   return {s.piece, s.partner, 2 * directionBin(s.normal) + (open ? 1 : 0)};
 }
 
-/// Score of a contact by one of the criteria: the outermost has the largest. The keys break ties.
+/// Score of a contact by one criterion. The outermost contact has the largest score. The keys break ties.
 struct Rank {
   double score;
   std::uint64_t keyA, keyB;
@@ -96,7 +95,7 @@ Winners winnersOf(const std::vector<FoundContact>& contacts,
 
 constexpr std::size_t entryWords = 7;  // piece, partner, direction and criterion, score, keyA, keyB, index
 
-/// Home ranks compare the winners of all ranks; returns the indices of those that win.
+/// Compares the best contacts of all ranks on home ranks. Returns the indices of the best ones.
 std::vector<std::size_t> compareOverRanks(const std::vector<std::vector<std::uint64_t>>& entries,
                                           Reducer& all) {
   WordStreams out(all.size());

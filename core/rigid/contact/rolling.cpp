@@ -16,7 +16,7 @@ Rolling rollingOf(const RigidContact& c, const PieceMotion& a, const PieceMotion
   r.stiffest = std::max({response.value[0], response.value[1], response.value[2]});
   if (!(r.stiffest > 0)) return r;
   double inverse[3];
-  // A row of particles hardly resists a turn about its own axis.
+  // A straight row of particles has little moment of inertia about its own axis.
   for (int k = 0; k < 3; k++) inverse[k] = 1 / std::max(response.value[k], 1e-9 * r.stiffest);
   r.inverse = withValues(response, inverse);
   r.impulse = c.angularImpulse;
@@ -32,7 +32,7 @@ void limitRolling(Rolling& r, double normalImpulse) {
 Vec3d relaxRolling(Rolling& r, const Vec3d& spin, double normalImpulse) {
   const Vec3d w = r.offset + spin, last = r.impulse;
   r.impulse = last - r.inverse * w;
-  if (length(r.impulse) > r.arm * normalImpulse) {  // it rolls
+  if (length(r.impulse) > r.arm * normalImpulse) {  // the contact rolls
     r.impulse = last - w / r.stiffest;
     limitRolling(r, normalImpulse);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rolling friction: a moment between two pieces in contact that opposes their relative spin. It is at most an
-// arm times the normal force, as if the normal force acted that far from the point of contact.
+// arm times the normal force, as if the normal force acted at this distance from the contact point.
 #pragma once
 #include <cstdint>
 
@@ -16,20 +16,21 @@ struct Rolling {
   Vec3d impulse{};      ///< N m s
   Sym3d inverse{};      ///< kg m^2, inverse of the response of the relative spin
   double stiffest = 0;  ///< 1/(kg m^2), largest eigenvalue of the response; 0: no row can turn
-  double radius = 0;    ///< m, from the more distant centre; turns spins into velocities
+  double radius = 0;    ///< m, larger distance of the contact from the two centres; converts spins to
+                        ///< velocities
   Vec3d before{};       ///< N m s, impulse at the start of the sweep
   Vec3d other{};        ///< N m s, search direction, or impulse after the last sweep
 };
 
-/// Returns the rolling friction of a contact of rows with the given motions. b: null for an obstacle. The
-/// first guess of the impulse is that of the contact.
+/// Returns the rolling friction of a contact between rows with these motions. b: null for an obstacle. The
+/// contact gives the first guess of the impulse.
 Rolling rollingOf(const RigidContact& contact, const PieceMotion& a, const PieceMotion* b);
 
-/// Limits the impulse to arm times the normal impulse (N s).
+/// Limits the impulse to the arm times normalImpulse (N s).
 void limitRolling(Rolling& rolling, double normalImpulse);
 
-/// Solves the rolling friction for the present change of the relative spin (rad/s). Returns the change of
-/// its impulse (N m s).
+/// Solves the rolling friction for the present change of the relative spin (rad/s). Returns the change of the
+/// impulse (N m s).
 Vec3d relaxRolling(Rolling& rolling, const Vec3d& spin, double normalImpulse);
 
 }  // namespace thaw

@@ -10,27 +10,28 @@
 namespace thaw {
 namespace {
 
-constexpr double sameFace = 0.95;        // cosine between normals of one face
-constexpr double leastAngle = 0.3;       // sine between faces, and volume spanned by three normals
+constexpr double sameFace = 0.95;        // smallest cosine between normals of one face
+constexpr double leastAngle = 0.3;       // smallest sine of the angle between faces, and smallest volume
+                                         // spanned by three normals
 constexpr double farthest = 2;           // spacings
 constexpr double onSurface = 0.05;       // spacings, largest distance of an edge from the surface
 constexpr double widths[] = {0.4, 0.8};  // spacings, distances of samples
 
 constexpr double endsWithin = 1.65;  // spacings, distance up to which the ends of an edge are sought
 
-constexpr std::size_t mostFaces = 6;  // more are parts of a curved surface
+constexpr std::size_t mostFaces = 6;  // more faces are parts of a curved surface
 
 constexpr double beside = 0.2;       // spacings, distance from the edge at which its two faces are sampled
-constexpr double straightFor = 0.6;  // spacings, along an edge from its nearest point
+constexpr double straightFor = 0.6;  // spacings, length along an edge that is tested for curvature
 constexpr double leastBend = 0.003;  // spacings; an edge that leaves its tangent by more is curved
 
-/// The plane n y = height through a face; y is relative to x.
+/// Plane n . y = height of a face; y is relative to x.
 struct FacePlane {
   Vec3d n{};
   double height = 0;  ///< m
 };
 
-/// Lists the faces that are nearest to samples inside of the shape around x.
+/// Lists the faces that are nearest to samples around x, inside the shape.
 std::vector<FacePlane> facesAround(const SignedDistance& shape, const Vec3d& x, double spacing) {
   std::vector<FacePlane> faces;
   Vec3d n;
@@ -43,7 +44,7 @@ std::vector<FacePlane> facesAround(const SignedDistance& shape, const Vec3d& x, 
       if (dot(f.n, normal) > sameFace) return;
     faces.push_back({normal, dot(normal, y) - d});
   };
-  // samples need room inside
+  // samples must fit inside
   const Vec3d base = -std::max(0.0, 0.5 * spacing - depth) * n;
   for (const double w : widths)
     for (int k = 0; k < 27; k++) {
@@ -64,14 +65,14 @@ Vec3d meet(const FacePlane& a, const FacePlane& b, const FacePlane& c) {
   return inverse(Mat3d{{a.n, b.n, c.n}}) * Vec3d{a.height, b.height, c.height};
 }
 
-/// The edge of two faces with the normals a and b. `to` is a point of it, from x.
+/// Edge between two faces with the normals a and b. `to` (m) is a point of the edge, relative to x.
 struct EdgeOfFaces {
   Vec3d to{}, a{}, b{};
   Vec3d along() const { return normalized(cross(a, b)); }
 };
 
-/// Returns the edge with the planes that touch the faces beside it. On a face of the radius R it then has an
-/// error of 0.02 spacing^2 / R.
+/// Returns the intersection of the planes that touch the faces next to the edge. For a face of radius R, its
+/// error is then 0.02 spacing^2 / R.
 EdgeOfFaces refined(const SignedDistance& shape, const Vec3d& x, EdgeOfFaces e, double spacing) {
   const auto faceBeside = [&](const Vec3d& own, const Vec3d& other) {
     const Vec3d at = e.to -
@@ -91,17 +92,18 @@ EdgeOfFaces refined(const SignedDistance& shape, const Vec3d& x, EdgeOfFaces e, 
   return e;
 }
 
-/// Returns true if an edge leaves its tangent within the part that an element describes.
+/// Returns true if an edge deviates from its tangent within the part that an element describes.
 bool isCurved(const SignedDistance& shape, const Vec3d& edge, const Vec3d& along, double spacing) {
   const double s = straightFor * spacing, least = shape.distance(edge, nullptr) + leastBend * spacing;
   return shape.distance(edge + s * along, nullptr) > least &&
          shape.distance(edge - s * along, nullptr) > least;
 }
 
-/// Distance (m) from a point of an edge to its end in a direction; infinite if it is not near.
+/// Returns the distance (m) from a point of an edge to its end in a direction. It is infinite if the end is
+/// not near.
 double endAlong(const SignedDistance& shape, const Vec3d& edge, const Vec3d& direction, double spacing) {
   double at = endsWithin * spacing;
-  // The distance from the surface is at most that from the end.
+  // The distance from the surface is at most the distance from the end.
   for (int k = 0; k < 4; k++) {
     const double off = std::abs(shape.distance(edge + at * direction, nullptr));
     if (off < onSurface * spacing) return k == 0 ? HUGE_VAL : at;

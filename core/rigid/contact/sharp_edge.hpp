@@ -9,13 +9,15 @@
 namespace thaw {
 
 struct SharpEdge {
-  Vec3d to{};     ///< m, from a point to the edge, where it is nearest, or to the corner; zero: none
+  Vec3d to{};     ///< m, from a point to the nearest point of the edge, or to the corner; zero: no edge
   Vec3d along{};  ///< unit vector along the edge; zero: a corner, or a point of a curved edge
-  double ahead = HUGE_VAL;   ///< m, from there to the end of the edge along it; infinite: not near
-  double behind = HUGE_VAL;  ///< m, the same against the direction
+  double ahead = HUGE_VAL;   ///< m, from that point to the end of the edge in the direction `along`;
+                             ///< infinite: not near
+  double behind = HUGE_VAL;  ///< m, the same in the opposite direction
 };
 
-/// Returns the sharp convex edge nearest to x, a point inside of a shape, or a corner, within two spacings.
+/// Returns the sharp convex edge or corner nearest to x (m), within two spacings. Requires: x is inside the
+/// shape.
 SharpEdge sharpEdge(const SignedDistance& shape, const Vec3d& x, double spacing);
 
 }  // namespace thaw

@@ -21,7 +21,7 @@ bool isFinite(const RigidContact& c, std::span<const PieceMotion> pieces) {
 
 enum Balance { Lost, Work, ImpulseX, ImpulseY, ImpulseZ, balances };
 
-/// Sums the energy that the impulses dissipate, and the work and impulse of obstacles.
+/// Sums the dissipated energy, and the work and impulse of obstacles.
 void recordBalance(const GatheredIslands& gathered, const std::vector<IslandSolve>& solves, Reducer& all,
                    ContactResult& result) {
   const auto eachContact = [&](auto&& use) {
@@ -51,7 +51,8 @@ void recordBalance(const GatheredIslands& gathered, const std::vector<IslandSolv
   result.obstacleImpulse = {sums.value(ImpulseX), sums.value(ImpulseY), sums.value(ImpulseZ)};
 }
 
-/// Sets the numbers of iterations, and the error of the island that is furthest from its tolerance.
+/// Sets the numbers of iterations, and the error of the island with the largest ratio of residual to
+/// tolerance.
 void recordProgress(const std::vector<IslandSolve>& solves, Reducer& all, ContactResult& result) {
   double most[3] = {};  // iterations, iterations of the overlap solve, residual over the tolerance
   const auto excess = [](const IslandSolve& s) { return s.residual / s.tolerance; };

@@ -11,25 +11,24 @@
 namespace thaw {
 
 struct ContactSettings {
-  double step = 0;           ///< s
-  double tolerance = 1e-6;   ///< m/s, largest velocity error of a contact at which the iteration stops
-  double impactPart = 0;     ///< 1, the same as a part of the largest velocity that impulses of an
-                             ///< island must change
-  int mostIterations = 500;  ///< limit for each of the two solves
-  double impactSpeed = 0;   ///< m/s, twice what gravity adds in a step; slower approaches have no restitution
-  double slop = 0;          ///< m, overlap that is not corrected
-  double correction = 0.2;  ///< 1, part of the overlap beyond slop that is removed in a step
-  double mostCorrection = 0;  ///< m, upper limit of the overlap removed in a step
+  double step = 0;            ///< s
+  double tolerance = 1e-6;    ///< m/s, the iteration stops if no contact has a larger velocity error
+  double impactPart = 0;      ///< 1, the same relative to the largest velocity change in an island
+  int mostIterations = 500;   ///< iteration limit of each of the two solves
+  double impactSpeed = 0;     ///< m/s, twice the speed that gravity adds in a step; slower approaches have no
+                              ///< restitution
+  double slop = 0;            ///< m, overlap that is not corrected
+  double correction = 0.2;    ///< 1, fraction of the overlap beyond slop that is removed in a step
+  double mostCorrection = 0;  ///< m, maximum overlap removed in a step
 };
 
 struct ContactResult {
-  int iterations = 0;            ///< iterations of the velocity solve, most of all islands
-  int correctionIterations = 0;  ///< iterations of the overlap solve, most of all islands
-  double residual = 0;           ///< m/s, largest velocity error of a contact, in the island that is furthest
-                                 ///< from its tolerance
-  double tolerance = 0;          ///< m/s, the larger one of both tolerances in that island
-  double dissipated = 0;         ///< J, kinetic energy before minus after, less the work of obstacles; over
-                                 ///< all ranks
+  int iterations = 0;            ///< iterations of the velocity solve, maximum over islands
+  int correctionIterations = 0;  ///< iterations of the overlap solve, maximum over islands
+  double residual = 0;           ///< m/s, largest velocity error of a contact, in the island with the largest
+                                 ///< ratio of residual to tolerance
+  double tolerance = 0;          ///< m/s, the larger of the two tolerances in that island
+  double dissipated = 0;         ///< J, loss of kinetic energy plus the work of obstacles; over all ranks
   double obstacleWork = 0;       ///< J, done by moving obstacles on pieces; over all ranks
   Vec3d obstacleImpulse{};       ///< N s, given to pieces by obstacles; over all ranks
   double deepest = 0;            ///< m, largest overlap, over all ranks
@@ -38,11 +37,10 @@ struct ContactResult {
 
 /// Finds impulses with Signorini's condition, Coulomb's friction cone and Newton's restitution at velocity
 /// level. Each island of pieces that touch is solved separately, on one rank (solve_island.hpp). A contact
-/// with gap > 0 may close within the step, but no further. Overlap is removed by displacements without
-/// momentum. Sets impulses of contacts, velocity and spin of movable rows, and their changes (one for each
-/// row). Requires: step > 0; normals are unit vectors; each contact is given on exactly one rank; keys or
-/// normals of contacts differ. Ensures: the bits do not depend on the order of contacts, nor on their ranks.
-/// Collective.
+/// with gap > 0 may close within the step, but not overlap. Displacements without momentum remove overlap.
+/// Sets contact impulses, velocity and spin of movable rows, and their changes (one for each row). Requires:
+/// step > 0; normals are unit vectors; each contact is given on exactly one rank; keys or normals of contacts
+/// differ. Ensures: the bits do not depend on the order of contacts or their ranks. Collective.
 ContactResult solveContacts(std::span<PieceMotion> pieces, std::span<RigidContact> contacts,
                             const ContactSettings& settings, PieceExchange& exchange, Reducer& all,
                             std::span<PieceChange> changes);

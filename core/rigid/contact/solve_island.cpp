@@ -12,20 +12,20 @@
 namespace thaw {
 namespace {
 
-/// Change of the motion of a row by impulses.
+/// Change of a row's motion due to impulses.
 struct Row {
   Vec3d velocity{}, spin{};
 };
 
-/// A contact in a basis of its normal and two tangents.
+/// Contact in the basis of its normal and two tangents.
 struct Contact {
   std::uint32_t a = 0, b = noPiece;
   Vec3d axis[3];               ///< normal and tangents
   Vec3d armA{}, armB{};        ///< m
-  double offset[3] = {};       ///< m/s, free velocity less the target
+  double offset[3] = {};       ///< m/s, free velocity minus target
   double impulse[3] = {};      ///< N s
-  double response[3][3] = {};  ///< 1/kg, velocity of the contact by its own impulse
-  double inverse[3] = {};      ///< kg, 11, 12 and 22 of the inverse of the tangential response
+  double response[3][3] = {};  ///< 1/kg, response of the contact's velocity to its own impulse
+  double inverse[3] = {};      ///< kg, components 11, 12 and 22 of the inverse tangential response
   double stiffest = 0;         ///< 1/kg, largest eigenvalue of the tangential response
   double friction = 0;
   double before[3] = {};  ///< N s, impulse at the start of the sweep
@@ -36,11 +36,11 @@ struct Problem {
   std::span<const PieceMotion> pieces;
   std::vector<Contact> contacts;
   std::vector<Rolling> rolling;    ///< contacts with rolling friction
-  std::vector<Row> rows;           ///< changes by the impulses
-  std::vector<Row> before, other;  ///< the same by the impulses of the contacts of these names
+  std::vector<Row> rows;           ///< changes due to the impulses
+  std::vector<Row> before, other;  ///< the same due to Contact::before and Contact::other
 };
 
-/// Adds an impulse on a row at a point.
+/// Adds an impulse (N s) on a row at a point.
 void push(const PieceMotion& piece, const Vec3d& arm, const Vec3d& impulse, Row& row) {
   row.velocity += piece.inverseMass * impulse;
   row.spin += piece.inverseInertia * cross(arm, impulse);
@@ -61,14 +61,14 @@ Vec3d vectorOf(const Contact& c, const double (&x)[3]) {
   return x[0] * c.axis[0] + x[1] * c.axis[1] + x[2] * c.axis[2];
 }
 
-/// Change of the relative velocity by the changes of its rows.
+/// Returns the change of the relative velocity due to the changes of the rows.
 Vec3d changeOf(const Problem& p, const Contact& c) {
   Vec3d u = p.rows[c.a].velocity + cross(p.rows[c.a].spin, c.armA);
   if (c.b != noPiece) u -= p.rows[c.b].velocity + cross(p.rows[c.b].spin, c.armB);
   return u;
 }
 
-/// Change of the relative spin by the changes of the rows.
+/// Returns the change of the relative spin due to the changes of the rows.
 Vec3d changeOf(const Problem& p, const Rolling& r) {
   const Contact& c = p.contacts[r.contact];
   return c.b == noPiece ? p.rows[c.a].spin : p.rows[c.a].spin - p.rows[c.b].spin;
@@ -152,7 +152,7 @@ double relax(Problem& p, Rolling& r) {
   return length(step) * r.stiffest * r.radius;
 }
 
-/// Solves each contact once. Returns the largest velocity error (m/s), which is NaN if any of them is.
+/// Solves each contact once. Returns the largest velocity error (m/s), or NaN if any error is NaN.
 double sweep(Problem& p) {
   double largest = 0;
   const auto add = [&](double error) {
@@ -171,10 +171,10 @@ void keepState(Problem& p) {
   for (Rolling& r : p.rolling) r.before = r.impulse;
 }
 
-/// Weight (1/kg) of the direction k of a contact in the metric of the contacts.
+/// Returns the weight (1/kg) of direction k of a contact in the metric of the contacts.
 double weightOf(const Contact& c, int k) { return k == 0 ? c.response[0][0] : c.stiffest; }
 
-/// Returns the square of the change by the last sweep, in the metric of the contacts.
+/// Returns the squared norm of the last sweep's change, in the metric of the contacts.
 double squareOfChange(const Problem& p) {
   double sum = 0;
   for (const Contact& c : p.contacts)
@@ -202,7 +202,8 @@ template<class Use> void eachNumber(Problem& p, Use&& use) {
     }
 }
 
-/// Moves impulses along the search direction, which becomes beta times itself plus the change by the sweep.
+/// Moves impulses along the search direction. The direction becomes beta times itself plus the sweep's
+/// change.
 void moveAlong(Problem& p, double beta) {
   eachNumber(p, [&](double& x, double before, double& direction) {
     const double change = x - before;
@@ -220,7 +221,7 @@ void extrapolate(Problem& p, double beta) {
   });
 }
 
-/// Returns true if the change by the sweep opposes the step since the last one.
+/// Returns true if the sweep's change opposes the step since the last sweep.
 bool opposes(const Problem& p) {
   double sum = 0;
   for (const Contact& c : p.contacts)
@@ -232,12 +233,12 @@ bool opposes(const Problem& p) {
 
 struct Progress {
   int iterations = 0;
-  double error = 0;  ///< m/s, largest of the last sweep
+  double error = 0;  ///< m/s, largest error in the last sweep
 };
 
-/// Conjugate gradients, until no error exceeds the tolerance: the change by a sweep is the negative gradient,
-/// and the direction restarts when the gradient grows [SNE10]. Ends with a sweep, whose impulses are in their
-/// cones of friction.
+/// Iterates with conjugate gradients until no error exceeds the tolerance (m/s). The sweep's change is the
+/// negative gradient. The direction restarts when the gradient grows [SNE10]. The last operation is a sweep,
+/// so impulses are within their friction cones.
 Progress conjugateGradients(Problem& p, double tolerance, int most) {
   Progress at;
   p.other.assign(p.rows.size(), {});
@@ -255,8 +256,8 @@ Progress conjugateGradients(Problem& p, double tolerance, int most) {
   return at;
 }
 
-/// Nesterov's momentum [N83], until no error exceeds the tolerance. It restarts when the change by a sweep
-/// opposes the step [OC15]. Ends with a sweep, as above.
+/// Iterates with Nesterov's momentum [N83] until no error exceeds the tolerance (m/s). The momentum restarts
+/// when the sweep's change opposes the step [OC15]. The last operation is a sweep, as above.
 Progress momentum(Problem& p, double tolerance, int most) {
   Progress at;
   p.other = p.rows;
@@ -274,8 +275,8 @@ Progress momentum(Problem& p, double tolerance, int most) {
   return at;
 }
 
-/// Iterates until no velocity error exceeds the tolerance. Conjugate gradients converge faster, but stall
-/// where friction makes errors grow slowly. Momentum does not stall but may diverge, so the two alternate.
+/// Iterates until no velocity error exceeds the tolerance. Conjugate gradients converge faster, but stall if
+/// friction makes errors grow slowly. Momentum does not stall, but may diverge, so the two methods alternate.
 Progress iterate(Problem& p, double tolerance, int most) {
   constexpr int turn[2] = {30, 120};  // iterations
   Progress at{0, HUGE_VAL};
@@ -323,7 +324,7 @@ Problem problemOf(const ContactIsland& island, const ImpactTargets& targets) {
 /// Velocities and targets of the contacts of an island.
 struct Demands {
   std::vector<Vec3d> free;  ///< m/s, relative velocities without impulses
-  double impact = 0;        ///< m/s, largest change that a target demands
+  double impact = 0;        ///< m/s, largest velocity change that a target requires
 };
 
 Demands demandVelocities(const ContactIsland& island, const std::vector<double>& targets, Problem& p) {
@@ -363,7 +364,7 @@ int correctOverlap(ContactIsland& island, const ContactSettings& settings, const
     std::fill_n(c.impulse, 3, 0.0);
     c.offset[0] = error[i];
   }
-  // Later steps correct the rest. Between obstacles without room for a piece, some overlap always remains.
+  // Later steps correct the rest. If a piece does not fit between obstacles, some overlap always remains.
   constexpr int mostIterations = 50;
   const double tolerance = std::max(settings.tolerance, 1e-2 * deepest / settings.step);
   const int iterations = iterate(p, tolerance, std::min(mostIterations, settings.mostIterations)).iterations;
@@ -375,7 +376,7 @@ int correctOverlap(ContactIsland& island, const ContactSettings& settings, const
   return iterations;
 }
 
-/// Sets the results of rolling friction.
+/// Stores the results of rolling friction.
 void takeRolling(const Problem& p, ContactIsland& island, IslandSolve& s) {
   for (RigidContact& c : island.contacts) c.angularImpulse = {};
   s.meanSpin.resize(p.rolling.empty() ? 0 : p.contacts.size());
@@ -421,8 +422,8 @@ bool gainsEnergy(const Velocities& v) {
   return gain > allowed * error;
 }
 
-/// Returns the solution with successive impacts, or with simultaneous ones if the former gains energy.
-/// Friction can cause a gain, since the impact sequence has none.
+/// Returns the solution with successive impacts, or with simultaneous impacts if the former gains energy. A
+/// gain is possible with friction, since the impact sequence has no friction.
 Velocities solveVelocities(const ContactIsland& island, const ContactSettings& settings) {
   const ImpactTargets targets = successiveImpacts(island, settings);
   Velocities v = solveVelocities(island, settings, targets);

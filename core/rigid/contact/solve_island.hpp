@@ -11,11 +11,12 @@ struct IslandSolve {
   int correctionIterations = 0;  ///< iterations of the overlap solve
   double residual = 0;           ///< m/s, largest velocity error of a contact in the last iteration
   double tolerance = 0;          ///< m/s
-  std::vector<Vec3d> mean;       ///< m/s, relative velocity of each contact, mean of before and after
-  std::vector<Vec3d> meanSpin;   ///< rad/s, relative spin, as `mean`; empty without rolling friction
+  std::vector<Vec3d> mean;       ///< m/s, relative velocity of each contact, mean of the values before and
+                                 ///< after the solve
+  std::vector<Vec3d> meanSpin;   ///< rad/s, relative spin, averaged as `mean`; empty without rolling friction
 };
 
-/// Sets the impulses of the contacts of an island, velocity and spin of its rows, and their changes.
+/// Sets the contact impulses of an island, and velocity, spin and changes of its rows.
 /// Requires: all numbers are finite.
 IslandSolve solveIsland(ContactIsland& island, const ContactSettings& settings);
 

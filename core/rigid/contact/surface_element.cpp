@@ -10,15 +10,16 @@
 namespace thaw {
 namespace {
 
-constexpr double halfWidth = 0.7;    // spacings, half width of finite differences
-constexpr double sharpRadius = 1.3;  // spacings, radius through the particle; smaller ones are edges
-constexpr double planeFrom = 60;     // spacings; surfaces of a larger radius are planes
-constexpr double thinnest = 1e-6;    // spacings, least offset
+constexpr double halfWidth = 0.7;    // spacings, step of finite differences
+constexpr double sharpRadius = 1.3;  // spacings, radius of the level set through the particle; smaller ones
+                                     // are edges
+constexpr double planeFrom = 60;     // spacings; surfaces of larger radius are planes
+constexpr double thinnest = 1e-6;    // spacings, smallest offset
 constexpr double deepest = 1.2;      // spacings, largest offset
-constexpr double alongAxis = 0.999;  // component of the normal of a surface along the lattice
+constexpr double alongAxis = 0.999;  // smallest component along an axis, for normals along the lattice
 
-/// Largest principal curvature (1/m) of the level set of the distance through x, by differences along two
-/// tangents.
+/// Returns the largest principal curvature (1/m) of the distance's level set through x (m), by finite
+/// differences along two tangents.
 double largestCurvature(const SignedDistance& shape, const Vec3d& x, const Vec3d& normal, double width) {
   const Quat frame = towards(normal);
   const Vec3d tangent[2] = {rotated(frame, {1, 0, 0}), rotated(frame, {0, 1, 0})};
@@ -46,7 +47,7 @@ SurfaceElement elementOfShape(const SignedDistance& shape, const Vec3d& x, doubl
   const double width = halfWidth * spacing, curvature = largestCurvature(shape, x, normal, width);
   if (!(curvature * planeFrom * spacing > 1))
     return {single(normal), static_cast<float>(offset), planeRadius};
-  // the central difference over the width on a sphere of radius r is 1 / sqrt(r^2 + width^2)
+  // On a sphere of radius r, the central difference over this width is 1 / sqrt(r^2 + width^2).
   const double square = 1 / (curvature * curvature) - width * width;
   const double inner = square > 0 ? std::sqrt(square) : 0, radius = inner + depth;
   if (inner < sharpRadius * spacing) return elementOfEdge(offset, sharpEdge(shape, x, spacing), spacing);
@@ -54,8 +55,8 @@ SurfaceElement elementOfShape(const SignedDistance& shape, const Vec3d& x, doubl
 }
 
 SurfaceElement elementOfNeighbours(std::span<const Vec3d> neighbours, double spacing) {
-  int nearest = 0;  // present neighbours of a cubic lattice, of six
-  Vec3d missing;    // away from the neighbours
+  int nearest = 0;  // number of present neighbours, of six in a cubic lattice
+  Vec3d missing;    // vector away from the neighbours
   for (const Vec3d& e : neighbours) {
     const double r = length(e);
     if (!(r > 0) || r > 1.8 * spacing) continue;

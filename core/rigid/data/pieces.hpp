@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rigid pieces: connected particles of materials with law "rigid" that move as one body. A rank has the rows
-// of all pieces with particles here, and of the pieces of its ghosts. All ranks with a piece have the same
-// bits in its row.
+// Rigid pieces: connected particles of materials with law "rigid" that move as one body. A rank has the
+// rows of the pieces of its owned particles and ghosts. A row has the same bits on all ranks that have it.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -15,7 +14,7 @@ namespace thaw {
 
 inline constexpr std::uint32_t noPieceRow = 0xffffffffu;
 
-/// Rows ascend by id.
+/// Table of rigid pieces. Rows ascend by id.
 struct Pieces : Table {
   Pieces() : Table("piece") {}
   // clang-format off
@@ -50,7 +49,8 @@ struct Pieces : Table {
       "1: fixed in place, and without contacts with other sleeping pieces and obstacles at rest"};
   Column<std::uint64_t> count{*this, "count", "1", Keep::State, "number of its particles on all ranks"};
   Column<std::uint8_t> fixed{*this, "fixed", "1", Keep::State, "1: some of its particles are clamped"};
-  Column<std::uint32_t> localParticles{*this, "localParticles", "1", Keep::Local, "number of its particles on this rank"};
+  Column<std::uint32_t> localParticles{*this, "localParticles", "1", Keep::Local,
+      "number of its particles on this rank"};
   Column<std::uint8_t> shared{*this, "shared", "1", Keep::Local, "1: further ranks have this row"};
   Column<std::uint8_t> recordsEnergy{*this, "recordsEnergy", "1", Keep::Local,
       "1: its particle of the smallest id is on this rank, which records its energies"};
@@ -68,12 +68,12 @@ inline void activatePieces(Pieces& p) {
   for (AnyColumn* c : p.columns) p.activate(*c);
 }
 
-/// Moment of inertia (kg m^2) of a particle of mass m about its own centre: that of a cube with the edge of
-/// the spacing (m). It makes the inertia of a cube of particles that of the cube, and of one particle
-/// positive.
+/// Returns the moment of inertia (kg m^2) of a particle of this mass (kg) about its own centre: that of a
+/// cube with an edge of the spacing (m). With it, a cube of particles has the inertia of a solid cube, and a
+/// single particle has a positive inertia.
 inline double ownInertia(double mass, double spacing) { return mass * spacing * spacing / 6; }
 
-/// Angular velocity (rad/s) of a piece with this angular momentum.
+/// Returns the angular velocity (rad/s) of a piece with this angular momentum (kg m^2/s).
 inline Vec3d spinOf(const Pieces& p, std::size_t row, const Vec3d& angularMomentum) {
   if (p.fixed[row]) return {};
   const Quat q = p.orientation[row];
@@ -81,7 +81,7 @@ inline Vec3d spinOf(const Pieces& p, std::size_t row, const Vec3d& angularMoment
   return rotated(q, {l.x / inertia.x, l.y / inertia.y, l.z / inertia.z});
 }
 
-/// Velocity (m/s) of the centre of a piece.
+/// Returns the velocity (m/s) of the centre of a piece.
 inline Vec3d velocityOf(const Pieces& p, std::size_t row) {
   return p.fixed[row] ? Vec3d{} : p.momentum[row] / p.mass[row];
 }

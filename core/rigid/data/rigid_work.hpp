@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Work data of rigid pieces, reused in each step. Not part of the state.
+// Work data of rigid pieces, reused in each step. It is not part of the state.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -17,12 +17,12 @@ struct SharedPieces {
   static constexpr std::uint32_t notShared = 0xffffffffu;
 };
 
-/// Contact solver in the last step; equal on all ranks.
+/// Statistics of the contact solver in the last step, equal on all ranks.
 struct ContactUse {
   std::int64_t iterations = 0;
   double residual = 0;   ///< m/s, largest velocity error of a contact
   double tolerance = 0;  ///< m/s
-  double deepest = 0;    ///< m, largest overlap of all steps since the start of the program
+  double deepest = 0;    ///< m, largest overlap in all steps since the start of the program
 };
 
 struct RigidWork {
@@ -31,8 +31,8 @@ struct RigidWork {
   std::vector<std::uint64_t> departed;  ///< pieces with particles that left this rank in the last migration
   SharedPieces shared;
   ContactUse contacts;
-  bool atStart = false;      ///< the next evaluation makes the pieces of the start
-  bool changedHere = false;  ///< particles left the domain with their pieces
+  bool atStart = false;      ///< the next evaluation makes the initial pieces
+  bool changedHere = false;  ///< particles of pieces left the domain on this rank
 };
 
 }  // namespace thaw

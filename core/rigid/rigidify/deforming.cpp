@@ -14,15 +14,15 @@ namespace {
 /// Steps between comparisons of strain rates of rigid particles. A pressure wave travels less than a spacing
 /// in this time, so a piece becomes elastic ahead of the wave.
 constexpr std::int64_t rateEvery = 2;
-/// Steps between comparisons of strain rates of elastic particles: their rest time spans many more steps.
+/// Steps between comparisons of strain rates of elastic particles. Their rest time spans many more steps.
 constexpr std::int64_t elasticRateEvery = 16;
 /// Steps between searches for particles that may become rigid.
 constexpr std::int64_t restEvery = 32;
-/// Distance (K) to the solidus. Particles nearer to it become elastic together with those that soften now, so
-/// a melting front changes whole layers.
+/// Temperature difference (K) to the solidus. Particles closer to it become elastic together with softening
+/// particles, so a melting front changes whole layers.
 constexpr double soonMelts = 0.5;
 
-/// Particles closer than this (spacings) to another body stay elastic. Larger than the contact distance, so
+/// Particles closer than this (spacings) to another body stay elastic. It exceeds the contact distance, so
 /// contacts act on elastic particles.
 constexpr double nearBody = 1.5;
 
@@ -31,10 +31,10 @@ bool isSoft(const Scene& scene, const Continuum& p, std::size_t i, double margin
   return p.liquid[i] > 0 || p.temperature[i] > scene.materials[p.material[i]].solidus - margin;
 }
 
-/// Sums over the bonds of a solid, with directions e and velocity differences over lengths u.
+/// Sums over the bonds of a solid particle. e: unit vector along a bond. u: velocity difference over length.
 struct BondRates {
   Mat3d moment{}, product{};  ///< sums of e e^T and u e^T
-  double squares = 0;         ///< sum of (e u)^2, squared rates of the lengths
+  double squares = 0;         ///< 1/s^2, sum of (e . u)^2, the squared rates of relative length
   int count = 0;
   void add(const Vec3d& e, const Vec3d& u) {
     for (int a = 0; a < 3; a++) {
@@ -46,9 +46,9 @@ struct BondRates {
   }
 };
 
-/// Returns the squared rate of strain (1/s^2), |D|^2 with D the symmetric part of the velocity gradient that
-/// fits the bonds best. In flat and thin neighbourhoods: the mean squared rate of the lengths. Both are 0 in
-/// any rigid motion, up to rounding.
+/// Returns the squared rate of strain (1/s^2), |D|^2. D is the symmetric part of the velocity gradient that
+/// fits the bonds best. In flat and thin neighbourhoods, returns the mean squared rate of relative length.
+/// Both are 0 in any rigid motion, up to rounding.
 double strainRate2(const BondRates& bonds) {
   constexpr double leastVolume = 0.1;  // determinant of the moment over that of isotropic directions
   if (bonds.count == 0) return 0;
@@ -77,7 +77,7 @@ BondRates bondRates(const RigidifyView& v, std::size_t solidIndex) {
   return rates;
 }
 
-/// Sets the rest time of particles that touch something, or may do so soon, to 0.
+/// Sets the rest time of particles in contact, or soon in contact, to 0.
 void wakeTouching(const RigidifyView& v) {
   Continuum& p = v.rigid.particles;
   for (const WallContact& c : v.wallContacts.list) p.restTime[c.row] = 0;
@@ -147,7 +147,7 @@ bool findDeforming(const RigidifyView& v, double dt) {
   Continuum& p = v.rigid.particles;
   for (std::size_t i = 0; i < p.owned; i++)
     if (p.phase[i] != Solid || p.solidIndex[i] == noSolid || isSoft(scene, p, i, 0)) p.restTime[i] = 0;
-    // A rest time of 0 of a rigid particle means that its load changed in this evaluation.
+    // For a rigid particle, a rest time of 0 means that its load changed in this evaluation.
     else if (p.restTime[i] > 0 || p.piece[i] == notRigid)
       p.restTime[i] = static_cast<float>(static_cast<double>(p.restTime[i]) + dt);
   wakeTouching(v);

@@ -6,7 +6,7 @@
 namespace thaw {
 
 void compareLoads(const RigidifyView& v) {
-  constexpr double unknown = never;  // x of the load of particles that are not passive
+  constexpr double unknown = never;  // x component of the load of particles that are not passive
   const Scene& scene = v.rigid.scene;
   Continuum& p = v.rigid.particles;
   const double strain = scene.numerics.rigidify * scene.numerics.sleepAfter,

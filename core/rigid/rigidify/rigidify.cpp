@@ -15,7 +15,7 @@
 namespace thaw {
 namespace {
 
-/// Joins solids that a bond connects and that are both to be rigid.
+/// Joins bonded solids that shall both be rigid.
 DisjointSets joinBonded(const RigidifyView& v, const SolidPieces& labels) {
   const Solids& s = v.solids;
   DisjointSets sets(s.size());
@@ -30,7 +30,7 @@ DisjointSets joinBonded(const RigidifyView& v, const SolidPieces& labels) {
   return sets;
 }
 
-/// Labels pieces by 1 + the smallest id of all particles that bonds connect.
+/// Labels each piece by 1 + the smallest id of its bonded particles.
 void labelBonded(const RigidifyView& v, const Halos& halos, SolidPieces& labels) {
   const Continuum& p = v.rigid.particles;
   Solids& s = v.solids;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The data of a step that the choice of rigid parts reads and changes.
+// Data of a step that is used and changed to select rigid parts.
 #pragma once
 #include "core/fluid/pair_sums/pair_sums.hpp"
 #include "core/rigid/rigid_view.hpp"

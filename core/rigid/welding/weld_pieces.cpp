@@ -15,15 +15,15 @@
 namespace thaw {
 namespace {
 
-constexpr double largestGap = 0.02;   // spacings, of surfaces that touch
-constexpr double smallestGap = -0.5;  // spacings; elements that overlap further do not face each other
+constexpr double largestGap = 0.02;   // spacings, between surfaces that touch
+constexpr double smallestGap = -0.5;  // spacings; elements with larger overlap do not face each other
 
-/// Longest distance (spacings) of two particles that weld. It is below that of connected particles, so that
-/// rounding separates none.
+/// Largest distance (spacings) between two particles that weld. It is below connectedDistance, so rounding
+/// does not separate welded particles.
 constexpr double weldDistance = 1.4;
 static_assert(weldDistance < connectedDistance);
 
-/// Returns true if the temperature and the place of a particle allow it to weld.
+/// Returns true if temperature and position of a particle allow a weld.
 bool isHotSurface(const RigidView& v, std::size_t i) {
   const Continuum& p = v.particles;
   return hasSurface(p, i) && p.temperature[i] > v.scene.materials[p.material[i]].weldTemperature;
@@ -33,8 +33,7 @@ bool mayWeld(const RigidView& v, std::size_t i) {
   return isHotSurface(v, i) && v.particles.touchTime[i] != atFracture;
 }
 
-/// Returns true if two particles of different pieces touch and may weld. The order of the two does not
-/// matter.
+/// Returns true if two particles of different pieces touch and may weld. The function is symmetric.
 bool touch(const RigidView& v, std::size_t i, std::size_t j) {
   const Continuum& p = v.particles;
   if (p.piece[i] == p.piece[j] || p.material[i] != p.material[j]) return false;
@@ -56,8 +55,7 @@ bool weld(const RigidView& v, std::size_t i, std::size_t j) {
   return touchedLongEnough(v, i) && touchedLongEnough(v, j) && touch(v, i, j);
 }
 
-/// Resets the touch time of particles that are cold or inside. Returns true if some particle of this rank may
-/// weld.
+/// Resets the touch time of cold and of inner particles. Returns true if any particle of this rank may weld.
 bool resetOthers(const RigidView& v) {
   Continuum& p = v.particles;
   bool any = false;
@@ -75,7 +73,7 @@ bool touchesAny(const RigidView& v, std::size_t i, std::span<const RowSpan> rang
   });
 }
 
-/// Updates the touch time of particles that may weld. Returns true if some particle of this rank has touched
+/// Updates the touch time of particles that may weld. Returns true if any particle of this rank has touched
 /// another piece long enough.
 bool measureTouch(const RigidView& v) {
   Continuum& p = v.particles;
@@ -96,7 +94,7 @@ bool onAnyRank(bool here, Reducer& all) {
   return any > 0;
 }
 
-/// Number of pieces that this rank leads.
+/// Returns the number of pieces that this rank leads.
 std::int64_t ownPieces(const Pieces& p) {
   return std::count(p.recordsEnergy.data(), p.recordsEnergy.data() + p.owned, 1);
 }
