@@ -10,14 +10,14 @@
 
 namespace thaw {
 
-/// Size classes of components. Components of fewer particles than leastComponentParticles are mostly rim.
-/// From leastSmallParticles on their largest error is reported separately; smaller ones are spheres. Volume
-/// control skips components of fewer surfels than leastControlledSurfels.
+/// Size classes of components. Components of fewer particles than leastComponentParticles are mostly rim. The
+/// largest error of those with at least leastSmallParticles is reported separately. Smaller ones are spheres.
+/// Volume control skips components of fewer surfels than leastControlledSurfels.
 inline constexpr std::int64_t leastComponentParticles = 30, leastSmallParticles = 5,
                               leastControlledSurfels = 12;
 
-/// Share of the area that may be missing in a surface whose volume is certain. With spurs of a mesh along the
-/// cracks of a body, 3 % was missing, and the volume came out 3 to 5 % too large.
+/// Largest fraction of missing area of a surface with a reliable volume. Where a mesh has spurs along
+/// cracks of a body, 3 % is missing, and the volume is 3 to 5 % too large.
 inline constexpr double closedTolerance = 0.01;
 
 /// A component at a frame. The volume of its surface is (1 + off) times the reference volume.
@@ -39,7 +39,7 @@ struct VolumeSums {
   }
 };
 
-/// The largest errors of the recorded frames; the first of equal ones.
+/// The largest errors over all recorded frames. Of equal errors, the first one is kept.
 struct VolumeErrors {
   bool any = false;              ///< at least one component
   VolumeError againstParticles;  ///< against the volume of the particles
