@@ -7,8 +7,8 @@
 #include <cmath>
 #include <exception>
 
+#include "core/fields/column.hpp"
 #include "core/halo/halo.hpp"
-#include "core/particles/column.hpp"
 #include "core/time/step_trace.hpp"
 #include "parallel/communication_statistics.hpp"
 

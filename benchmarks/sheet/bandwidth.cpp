@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "benchmarks/sheet/tests.hpp"
-#include "core/particles/column.hpp"
+#include "core/fields/column.hpp"
 #include "core/sheet/move_vertices.hpp"
 
 namespace thaw::bench {

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "core/fields/column.hpp"
 #include "core/halo/cell_box.hpp"
-#include "core/particles/column.hpp"
 
 namespace thaw {
 

@@ -5,7 +5,7 @@
 #pragma once
 #include <cstdint>
 
-#include "core/particles/column.hpp"
+#include "core/fields/column.hpp"
 
 namespace thaw {
 

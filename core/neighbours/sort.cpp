@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "core/fields/table_rows.hpp"
 #include "core/neighbours/sort_rows.hpp"
 #include "core/particles/body_type_rows.hpp"
-#include "core/particles/table_rows.hpp"
 
 namespace thaw {
 namespace sorting {

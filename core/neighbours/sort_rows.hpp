@@ -3,9 +3,9 @@
 #pragma once
 #include <algorithm>
 
+#include "core/fields/table_rows.hpp"
 #include "core/neighbours/list_cells.hpp"
 #include "core/neighbours/sort.hpp"
-#include "core/particles/table_rows.hpp"
 
 namespace thaw {
 

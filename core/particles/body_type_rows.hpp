@@ -3,7 +3,7 @@
 // ghosts, checkpoints, snapshots and the ledger work on these columns and on those that a type adds, so their
 // code does not depend on the type.
 #pragma once
-#include "core/particles/column.hpp"
+#include "core/fields/column.hpp"
 
 namespace thaw {
 

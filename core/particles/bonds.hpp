@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "core/particles/column.hpp"
+#include "core/fields/column.hpp"
 
 namespace thaw {
 

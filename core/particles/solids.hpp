@@ -4,8 +4,8 @@
 // or freezes. Rows [0, owned) belong to continuum particles of this rank; rows [owned, owned + ghosts) are
 // remote ends of bonds.
 #pragma once
+#include "core/fields/column.hpp"
 #include "core/particles/bonds.hpp"
-#include "core/particles/column.hpp"
 
 namespace thaw {
 

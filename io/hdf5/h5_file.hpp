@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/particles/column.hpp"
+#include "core/fields/column.hpp"
 #include "io/hdf5/io_error.hpp"
 
 namespace thaw {

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "core/particles/column.hpp"
+#include "core/fields/column.hpp"
 
 namespace thaw::python {
 

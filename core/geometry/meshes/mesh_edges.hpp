@@ -3,8 +3,8 @@
 #pragma once
 #include <cstdint>
 
+#include "core/fields/aligned_memory.hpp"
 #include "core/geometry/basic/triangle_mesh.hpp"
-#include "core/particles/aligned_memory.hpp"
 
 namespace thaw {
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <limits>
 
+#include "core/fields/aligned_memory.hpp"
 #include "core/geometry/basic/signed_distance.hpp"
 #include "core/geometry/basic/triangle_mesh.hpp"
-#include "core/particles/aligned_memory.hpp"
 
 namespace thaw {
 

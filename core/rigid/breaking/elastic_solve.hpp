@@ -14,8 +14,8 @@
 #include <span>
 #include <vector>
 
+#include "core/fields/column.hpp"
 #include "core/halo/halos.hpp"
-#include "core/particles/column.hpp"
 #include "core/rigid/breaking/impacts.hpp"
 #include "core/rigid/rigid_view.hpp"
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "core/fields/column.hpp"
 #include "core/math/mat3.hpp"
 #include "core/math/quat.hpp"
-#include "core/particles/column.hpp"
 #include "core/particles/continuum.hpp"
 
 namespace thaw {

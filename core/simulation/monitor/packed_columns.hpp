@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/particles/column.hpp"
+#include "core/fields/column.hpp"
 
 namespace thaw {
 

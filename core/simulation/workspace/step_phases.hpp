@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/particles/column.hpp"
+#include "core/fields/column.hpp"
 
 namespace thaw {
 

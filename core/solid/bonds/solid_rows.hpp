@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Entries of bonds, as BondGraph moves them.
 #pragma once
+#include "core/fields/table_rows.hpp"
 #include "core/particles/solids.hpp"
-#include "core/particles/table_rows.hpp"
 
 namespace thaw {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fields of surfels (K05 section 4), and of the particle copies of a surface update.
 #pragma once
-#include "core/particles/column.hpp"
+#include "core/fields/column.hpp"
 
 namespace thaw {
 

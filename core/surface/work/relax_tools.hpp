@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/particles/column.hpp"
+#include "core/fields/column.hpp"
 #include "core/surface/data/level_table.hpp"
 #include "core/surface/kernels/surface_kernels.hpp"
 #include "core/surface/search/bins.hpp"

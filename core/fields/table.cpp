@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/particles/column.hpp"
+#include "core/fields/column.hpp"
 
 namespace thaw {
 

@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/fields/aligned_memory.hpp"
 #include "core/math/mat3.hpp"
 #include "core/math/quat.hpp"
-#include "core/particles/aligned_memory.hpp"
 
 namespace thaw {
 

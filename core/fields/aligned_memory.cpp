@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/particles/aligned_memory.hpp"
+#include "core/fields/aligned_memory.hpp"
 
 #include <new>
 

@@ -3,8 +3,8 @@
 
 #include <stdexcept>
 
+#include "core/fields/column.hpp"
 #include "core/halo/cell_copies.hpp"
-#include "core/particles/column.hpp"
 
 namespace thaw {
 namespace {

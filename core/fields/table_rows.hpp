@@ -3,7 +3,7 @@
 #pragma once
 #include <cstring>
 
-#include "core/particles/column.hpp"
+#include "core/fields/column.hpp"
 
 namespace thaw {
 

@@ -2,7 +2,7 @@
 // A field of particles that an extension declares (core/terms/extensions.hpp). It is part of the state and
 // consists of doubles.
 #pragma once
-#include "core/particles/column.hpp"
+#include "core/fields/column.hpp"
 
 namespace thaw {
 
