@@ -7,7 +7,7 @@ namespace thaw {
 
 /// Base of the groups of fields that make up a table. Their columns register themselves in the table.
 struct FieldGroup {
-  explicit FieldGroup(Table& t) : table(t) {}
+  explicit FieldGroup(Table* t) : table(*t) {}
   Table& table;
 };
 

@@ -60,15 +60,15 @@ struct Continuum : Table,
 
 inline Continuum::Continuum()
     : Table("continuum"),
-      MotionFields(*this),
-      FluidFields(*this),
-      PressureFields(*this),
-      TensionFields(*this),
-      HeatFields(*this),
-      SolidFields(*this),
-      RigidFields(*this),
-      ContactFields(*this),
-      SurfaceFields(*this) {}
+      MotionFields(this),
+      FluidFields(this),
+      PressureFields(this),
+      TensionFields(this),
+      HeatFields(this),
+      SolidFields(this),
+      RigidFields(this),
+      ContactFields(this),
+      SurfaceFields(this) {}
 
 /// Returns true if a particle belongs to a rigid piece.
 inline bool isRigid(const Continuum& p, std::size_t i) { return p.piece.active && p.piece[i] != notRigid; }
