@@ -19,7 +19,8 @@ StepModule orientedBodies() {
           [](const World& w, const TermWork&) { return w.modules.oriented; },
           {{ModulePhase::BeforeMotion,
             [](StepContext& c) {
-              // They have integrators of their own, with obstacles at the positions of the last forces.
+              // Oriented particles have their own integrator, which uses obstacles at the positions of the
+              // last forces.
               stepOriented(orientedView(c.w, c.t), c.halos, c.dt);
             }},
            {ModulePhase::Redistributed,

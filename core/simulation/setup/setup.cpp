@@ -68,14 +68,14 @@ void evaluateNow(World& w, Halos halos, StepTools& t) {
       if (p.clamped[i]) p.acceleration[i] = {};
 }
 
-/// Prepares the first step as the end of a step prepares the next one.
+/// Prepares the first step in the same way as the end of a step prepares the next one.
 void prepareNextStep(World& w, Halos halos, StepTools& t) {
   StepContext c = stepContext(w, halos, t, 0);
   runPhase(ModulePhase::EndOfStep, c);
 }
 
-/// Adds `sign` times the stored energy of this rank, and the part that symplectic Euler has not yet
-/// delivered, to `to`.
+/// Adds `sign` times the stored energy (J) of this rank to `to`, including the part that symplectic Euler has
+/// not yet converted.
 void recordStored(World& w, StepTools& t, double sign, ExactSum& to) {
   const ExactBalance here = balanceHere(w);
   to.addProduct(here.elastic, sign);
@@ -83,14 +83,14 @@ void recordStored(World& w, StepTools& t, double sign, ExactSum& to) {
   if (w.modules.oriented) recordKickLag(orientedView(w, t), sign, w.clock.stepDt, to);
 }
 
-/// Frees the buffers of the first sorts, which cover all rows.
+/// Frees the buffers of the first sorts, since these covered all rows.
 void dropBuffersOfStart(Continuum& particles, SortBuffers& sort) {
   particles.shrink();
   sort = {};
   trimFreedMemory();
 }
 
-/// Largest height of fall: from the highest point of bodies and emitters to the lowest end of the domain.
+/// Largest height of fall (m), from the highest point of bodies and emitters to the bottom of the domain.
 double fallHeightOf(const Scene& s, const std::vector<std::shared_ptr<const SignedDistance>>& shapes) {
   const double g = length(s.domain.gravity);
   if (g == 0) return 0;
@@ -115,8 +115,8 @@ double reachOfWalls(const Scene& scene, const CellGrid& grid, const SheetBodies&
   return reach;
 }
 
-/// Adds the walls of obstacles and of the domain, and the shapes of bodies and terms. Throws with all
-/// unreadable meshes and their places in the scene.
+/// Adds the walls of obstacles and of the domain, and the shapes of bodies and terms. The thrown error lists
+/// all unreadable meshes and their locations in the scene.
 void makeShapes(World& w, ParticleSources& sources, TermWork& terms, const MeshLoader& load) {
   SceneProblems problems;
   for (const Obstacle& o : w.scene.obstacles) {
@@ -199,7 +199,7 @@ StepLimits initializeWithLimits(World& w, Halos halos, StepTools& t) {
   if (fieldsDeferred(w.bonds, t.solid))
     for (AnyColumn* c : columnsOfSteps(w.solids, t.solid.elastic)) w.solids.deactivate(*c);
   evaluateNow(w, halos, t);
-  if (!w.modules.neighbours) {  // only needed for the bonds of the start
+  if (!w.modules.neighbours) {  // lists were only needed for the initial bonds
     w.neighbours = {};
     t.sums.records = {};
     t.sums.search = {};
@@ -208,7 +208,7 @@ StepLimits initializeWithLimits(World& w, Halos halos, StepTools& t) {
   t.mass = totalMass(w.particles, halos.all);
   const LedgerReport now = reportLedger(w, t, halos.all);
   w.ledger.initial = now.now;
-  // Particles emitted at time 0 are part of the start, and so are gains and losses of relaxation.
+  // Particles emitted at time 0, and gains and losses of relaxation, belong to the initial state.
   w.ledger.entered = w.ledger.left = {};
   StepContext c = stepContext(w, halos, t, 0);
   reduceStep(c, {}, {});
@@ -275,7 +275,8 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   w.solids.energyKnown = w.compressionKnown = true;  // part of the state
   if (p.solidIndex.active) {
     for (std::size_t i = 0; i < p.owned; i++) p.solidIndex[i] = noSolid;
-    rebuildSolidBonds(w, halos, t, {{}, true});  // solids of the records, on the rank that read them
+    rebuildSolidBonds(w, halos, t, {{}, true});  // creates the solids of the records on the rank that read
+                                                 // them
   }
   computeCellKeys(w.grid, p);
   Migration all;
@@ -295,7 +296,7 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   const CellCosts costs = countCells(w);
   halos.cells.rebalance(costs.cells, costs.cost, true);
   t.redistribution.newPartition = true;
-  // After the ghosts they equal the state of the last step.
+  // After the exchange of ghosts, body types equal the state of the last step.
   if (w.modules.bodyTypes()) redistributeBodyTypes(w, halos, t.redistribution);
   if (w.modules.oriented) updateNeighbours(w.oriented, w.scene, halos, t.oriented.lists);
   t.oriented.time = w.clock.time;
@@ -307,8 +308,8 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   halos.all.maximum({&froze, 1});
   t.phaseChange.frozeAnywhere = froze > 0;
   t.phaseChange.here = true;
-  // A resumed scene with a shorter step limit applies it to the first step too; for the same scene no bit
-  // changes.
+  // A resumed scene with a shorter step limit applies the limit to the first step, too. For the same scene,
+  // no bit changes.
   const double fixed = w.scene.numerics.fixedStep, factor = w.monitor.factor;
   StepLimits limits = t.limits.fixed;
   if (w.modules.substeps)
@@ -320,7 +321,7 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
     if (hasLiquid == 0)
       for (const Limit l : limitsOfLiquid) limits[l] = never;
   }
-  // The step of rigid parts may be longer, and obeys these limits from the next step on.
+  // The current step of rigid parts may be longer. These limits apply from the next step on.
   if (w.modules.rigidify) limits[Limit::Elastic] = limits[Limit::Contact] = never;
   w.clock.dt = fixed > 0 ? factor * fixed : std::min(w.clock.dt, factor * limits[limits.smallest()]);
 }
@@ -336,9 +337,10 @@ void applyNewCoefficients(World& w, Halos halos, StepTools& t) {
   findStoredEnergy(w, t);
   recordStored(w, t, 1, jump);
   w.ledger.restartJump += jump;
-  t.phaseChange.frozeAnywhere = false;  // newly frozen particles have bonds now
+  t.phaseChange.frozeAnywhere = false;  // newly frozen particles already have bonds
   StepContext c = stepContext(w, halos, t, 0);
-  c.contactNear = w.modules.rareContact;  // unknown here, and a new stiffness shortens the limit
+  c.contactNear = w.modules.rareContact;  // unknown here; assume contact, since a new stiffness may shorten
+                                          // the limit
   reduceStep(c, {}, {});
   prepareNextStep(w, halos, t);
 }
