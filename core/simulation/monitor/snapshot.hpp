@@ -20,8 +20,8 @@ struct WorldSnapshot {
 /// counters and monitor state. Memory is reused. Requires: a world between two steps.
 void takeSnapshot(const World& world, WorldSnapshot& kept);
 
-/// Empties particles, solids, bonds and surface, and their data in tools, so that a state can be restored as
-/// after a restart, with new halos.
+/// Empties particles, solids, bonds and surface, and their data in tools. A state can then be restored as in
+/// a restart, with new halos.
 void emptyWorld(World& world, StepTools& tools);
 
 /// Restores a snapshot into a world that emptyWorld has emptied. Returns records of the solids for the new

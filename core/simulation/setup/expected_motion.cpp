@@ -118,7 +118,7 @@ Vec3d withinDomain(const Domain& d, Vec3d x) {
   return x;
 }
 
-/// Corners of the obstacle's box at rest; those of the domain along infinite axes.
+/// Returns the corners of the obstacle's box at rest. Along infinite axes, the bounds of the domain are used.
 std::vector<Vec3d> cornersOf(const Bounds& b, const Domain& d) {
   std::vector<Vec3d> corners;
   for (int c = 0; c < 8; c++) {

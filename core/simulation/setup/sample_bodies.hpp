@@ -23,7 +23,7 @@ struct SamplingReport {
   std::int64_t inObstacles = 0;
   std::string firstObstacle;           ///< names of the first body in an obstacle and of the obstacle, for
                                        ///< the message
-  SourcePlace obstacleWhere;           ///< place of the first body with such particles
+  SourcePlace obstacleWhere;           ///< location in the scene of the first body in an obstacle
   std::vector<SceneWarning> warnings;  ///< about narrow bodies, oriented bodies and sheets, and repairs of
                                        ///< meshes
 };
