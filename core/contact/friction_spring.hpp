@@ -18,9 +18,9 @@ struct SpringFriction {
   Vec3d spring{}, dashpot{};  ///< N
 };
 
-/// Returns the friction at a face with the normal n for a spring that was moved to the displacement `moved`
-/// (m), and the relative velocity u (m/s). The spring slips if its force would exceed the bound. The dashpot
-/// is limited to the remainder of the bound.
+/// Returns the friction at a face with the normal n. moved: m, displacement of the spring after its motion in
+/// the step; u: m/s, relative velocity. The spring slips if its force would exceed the bound. The dashpot is
+/// limited to the remainder of the bound.
 inline SpringFriction springFriction(const FrictionLaw& law, const Vec3d& n, const Vec3d& moved,
                                      const Vec3d& u) {
   SpringFriction f;

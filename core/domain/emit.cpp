@@ -90,9 +90,8 @@ std::vector<std::vector<double>> cohesionOf(const Scene& s, const Emitter& e, co
   return energy;
 }
 
-/// Returns EmitterPlan::cohesion (J) for tension by surface energy. [m] is the second difference E(m + 1) - 2
-/// E(m) + E(m - 1) per particle of a layer, where E(m) is the energy of a stack of m layers
-/// (findSurfaceEnergy).
+/// Returns EmitterPlan::cohesion (J) for tension by surface energy. E(m) is the energy of a stack of m layers
+/// (findSurfaceEnergy). Element [m] is E(m + 1) - 2 E(m) + E(m - 1) per particle of a layer.
 std::vector<std::vector<double>> surfaceEnergyOf(const Scene& s, const Emitter& e, const EmitterPlan& plan) {
   const Material& m = s.materials[static_cast<std::size_t>(e.material)];
   std::vector<std::vector<double>> energy;

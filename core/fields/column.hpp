@@ -189,7 +189,7 @@ struct Table {
   /// Row i of every Keep::State and Keep::Local column becomes old row order[i], for i < n = number of kept
   /// rows; owned = n, ghosts = 0. Stale columns are only resized: they are written before they are read.
   void reorder(std::span<const std::uint32_t> order, std::span<AnyColumn* const> stale = {});
-  /// Reorders rows in place. Rows that keep their index cost nothing, and no second column is needed. Stale
+  /// Reorders rows in place. Rows that keep their index are not copied, and no second column is needed. Stale
   /// columns are only resized.
   void rearrange(const RowMoves& moves, std::span<AnyColumn* const> stale);
   /// Returns the size of the reorder buffers in bytes.

@@ -38,9 +38,9 @@ class CellHalo {
   virtual std::size_t bufferBytes() const { return 0; }
 
   /// Sends particles in cells of other ranks to the owners of these cells. keys[row]: cell key of each owned
-  /// row, or noCell. Collective. Ensures: ghosts are dropped, arrivals appended (particles.owned grows),
-  /// departed rows listed and still in place. Arrivals have their State columns; Local and Transient columns
-  /// are zero (solidIndex: noSolid), so the caller computes their cell keys before the sort.
+  /// row, or noCell. Collective. Ensures: ghosts are dropped. Arrivals are appended (particles.owned grows).
+  /// Departed rows are listed and remain in the table. Arrivals have their State columns; Local and Transient
+  /// columns are zero (solidIndex: noSolid), so the caller computes their cell keys before the sort.
   virtual Migration migrate(Table& particles, std::span<const std::uint64_t> keys) = 0;
 
   /// Copies all particles in the cells that touch this rank's cells, periodic images included. Requires:
@@ -121,7 +121,8 @@ struct BondPair {
 
 /// Changes for a bond update that are not visible in the tables.
 struct BondUpdate {
-  std::span<const BondRequest> requests;  ///< bonds to make, appended to those of their solids in this order
+  std::span<const BondRequest> requests;  ///< bonds to make, appended in this order to the existing bonds of
+                                          ///< their solids
   bool changedHere = false;  ///< on this rank, a particle's phase changed or a solid particle left the
                              ///< domain
   std::span<const BondPair> pairs = {};  ///< further bonds, appended behind the requests; only if bonds have
@@ -150,7 +151,7 @@ class BondHalo {
   /// Updates the table of solids to match the particles. Owned solid particles without a row get one, with
   /// the bonds from their former rank if they migrated. Solids of liquid or departed particles are removed,
   /// with all bonds to them on every rank. Requests become bonds, unless the neighbour is no longer solid.
-  /// Remote rows are renewed and rows renumbered; BondedRows::solidIndex and Solids::particle follow. Newly
+  /// Remote rows are updated and rows renumbered, with BondedRows::solidIndex and Solids::particle. Newly
   /// solid particles have volume 0; the caller sets their volume. Remote rows then contain only the id.
   /// Requires: sorted particles without departed rows, whose phase changed at most once since the last bond
   /// update. Collective. Returns false at once if nothing changed on any rank.

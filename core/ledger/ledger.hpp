@@ -22,8 +22,8 @@ struct ExactBalance {
   ExactSum mass, momentum[3], angularMomentum[3], kinetic, elastic, potential, internal;
 };
 
-/// Energies (J) of all lamps, of all lasers, or of all heated regions. Energy that is not absorbed missed all
-/// bodies or hit an obstacle.
+/// Energies (J) of all lamps, of all lasers, or of all heated regions. Energy that is neither absorbed nor
+/// reflected missed all bodies or hit an obstacle.
 struct SourceSums {
   ExactSum given, absorbed, reflected;
 };

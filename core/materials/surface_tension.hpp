@@ -12,7 +12,7 @@ double surfaceTensionAt(const Material& material, double temperature);
 /// Largest value (N/m) of a table of surface tensions; 0 if it is empty.
 double largestTension(const TemperatureTable& table);
 
-/// Returns the time scale (s) of the step limit of tension, sqrt(rho h^3 / (2 pi gamma)), where rho is the
+/// Returns the time scale (s) of the step limit of tension, sqrt(rho h^3 / (2 pi gamma)). Here rho is the
 /// smaller density of the two phases. Requires: surfaceTension > 0.
 double capillaryTime(const Scene& scene, const Material& material);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Columns shared by the tables of all body types except the continuum, one per line. Sorting, migration,
-// ghosts, checkpoints, snapshots and the ledger work on these columns and on those that a type adds, so their
-// code does not depend on the type.
+// ghosts, checkpoints, snapshots and the ledger work on these columns and on the columns that a type adds.
+// Their code thus does not depend on the type.
 #pragma once
 #include "core/fields/column.hpp"
 

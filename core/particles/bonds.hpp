@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bonds of the owned solids. If no reference is ever renewed (no freezing, welding or large plastic flow),
-// all bonds share one configuration. A bond then stores only its other end: X_ij is the difference of the two
+// Bonds of the owned solids. If no reference ever changes (no freezing, welding or large plastic flow), all
+// bonds share one configuration. A bond then stores only its other end: X_ij is the difference of the two
 // Solids::reference, and the weight follows from the length of X_ij. Otherwise each bond stores its vectors
 // and weight, in the precision of the elastic step.
 #pragma once

@@ -12,7 +12,7 @@
 namespace thaw {
 namespace {
 
-/// Brings each particle to the rank of its cell, then the data that belong to particles.
+/// Migrates particles to the ranks of their cells, then bonds, sheets and oriented particles.
 void redistributeAll(StepContext& c) {
   redistribute(c);  // emit, remove, migrate, sort by (cell, id)
   // rebuilds bonds, migrates and links sheets and oriented particles, finds vanished obstacles
@@ -20,7 +20,7 @@ void redistributeAll(StepContext& c) {
   c.t.phaseChange.here = false;
 }
 
-/// Finds the neighbours of inner rows, or of the others, and sums their densities.
+/// Finds the neighbours of inner rows, or of boundary rows, and sums their densities.
 void sumDensities(StepContext& c, Part part, ModulePhase before) {
   markInner(c.w.cells, c.w.particles.owned, c.halos.cells, c.t.sums.inner);
   runPhase(before, c);  // skips sleeping rows
@@ -30,7 +30,8 @@ void sumDensities(StepContext& c, Part part, ModulePhase before) {
   c.t.times.lap(StepPhase::Density);
 }
 
-/// Finds neighbours and sums densities. Inner particles are summed while surrounding cells are exchanged.
+/// Finds neighbours and sums densities. Sums of inner particles are computed while surrounding cells are
+/// exchanged.
 void findDensities(StepContext& c) {
   World& w = c.w;
   StepTools& t = c.t;
@@ -52,7 +53,7 @@ void findDensities(StepContext& c) {
   t.times.lap(StepPhase::Contact);
 }
 
-/// Pressure, viscosity, heat and tension of pairs.
+/// Sums pressure, viscosity, heat and tension of pairs.
 void sumForces(StepContext& c, Part part) {
   if (!c.w.modules.neighbours) return;  // a scene of one solid searches only to form its bonds
   c.rows = passRows(part, c.w.neighbours, c.w.particles.owned, c.w.particles.size());
@@ -60,7 +61,8 @@ void sumForces(StepContext& c, Part part) {
   c.t.times.lap(StepPhase::Forces);
 }
 
-/// Forces of pairs, and stress of solids, while densities are exchanged.
+/// Computes pair forces and the stress of solids. The strain of solids is computed while densities are
+/// exchanged.
 void findForces(StepContext& c) {
   World& w = c.w;
   StepTools& t = c.t;
@@ -70,7 +72,7 @@ void findForces(StepContext& c) {
   t.times.lap(StepPhase::Exchange);
   runPhase(ModulePhase::Deformation, c);  // strain and plastic flow of solids
   if (c.bondsForm) {
-    densities.wait();                    // bonds send further columns of ghosts
+    densities.wait();                    // the formation of bonds sends further ghost columns
     runPhase(ModulePhase::NewBonds, c);  // freezing, welding
   }
   runPhase(ModulePhase::Stress, c);  // fracture, new references, exchange of stress
@@ -82,9 +84,9 @@ void findForces(StepContext& c) {
   runPhase(ModulePhase::ContinuumForce, c);
 }
 
-/// Contact of solids, walls, sheets and oriented particles.
+/// Adds contacts of solids, walls, sheets and oriented particles.
 void addContacts(StepContext& c) {
-  runPhase(ModulePhase::Contact, c);  // contact of solids, constraint forces of sleeping ones
+  runPhase(ModulePhase::Contact, c);  // contact of solids, constraint forces of sleeping solids
   c.t.times.lap(StepPhase::Contact);
   if (c.w.particles.wallOffset.active) findWallOffsets(c.walls.world, c.t.walls.contacts, c.w.bonds);
   addWallForces(c.walls, c.t.sums.scales.inverseLatticeSum, c.t.walls.contacts);
@@ -99,7 +101,8 @@ void evaluate(StepContext& c) {
   StepTools& t = c.t;
   redistributeAll(c);
   t.hooks.after(HookPhase::Redistribute);
-  // First, since it projects particles out of walls: ghosts and bonds must use the new positions.
+  // This comes first, since it projects particles out of walls, and ghosts and bonds must use the new
+  // positions.
   findWallContacts(c.walls, t.walls.contacts);
   t.times.lap(StepPhase::Walls);
   runPhase(ModulePhase::WallContacts, c);  // frozen particles, stages of sleep

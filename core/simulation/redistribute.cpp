@@ -13,7 +13,7 @@
 namespace thaw {
 namespace {
 
-/// Computes cell keys, if needed, and finds leaving particles, in blocks that fit the cache.
+/// Computes cell keys, if needed, and finds leaving particles. It works in blocks that fit into the cache.
 void findCells(World& w, std::vector<std::uint32_t>& leaving, bool keys, bool open) {
   constexpr std::size_t block = 1024;
   Continuum& p = w.particles;
@@ -26,8 +26,8 @@ void findCells(World& w, std::vector<std::uint32_t>& leaving, bool keys, bool op
   }
 }
 
-/// Records the particles that leave the domain. Their velocities are those of the half step. Their kinetic
-/// energy is that after the second half kick, as for the particles that stay.
+/// Records the particles that leave the domain. Their velocities are those of the half step. The recorded
+/// kinetic energy is that after the second half kick, as for the particles that stay.
 void recordLeaving(World& w, const StepTools& t, double dt) {
   const Continuum& p = w.particles;
   findStoredEnergy(w, t, t.redistribution.leaving);
@@ -58,7 +58,7 @@ bool takeLeaving(StepContext& c) {
   return leftBonds;
 }
 
-/// Migrates particles by their cells, with those that leave the domain among the departed. Collective.
+/// Migrates particles by their cells. Particles that leave the domain are listed as departed. Collective.
 void migrateParticles(StepContext& c) {
   Continuum& p = c.w.particles;
   RedistributionWork& work = c.t.redistribution;
@@ -78,7 +78,7 @@ void migrateParticles(StepContext& c) {
 /// Returns the columns that the step recomputes before they are read.
 ColumnList staleColumns(const Modules& modules, Continuum& particles, double dt) {
   ColumnList stale{};
-  // Both contacts read the last acceleration.
+  // Contacts with sheets and with oriented particles read the last acceleration.
   if (dt > 0 && !modules.sheet && !modules.orientedContact) stale.push_back(&particles.acceleration);
   if (!modules.sleep) stale.push_back(&particles.interaction);
   return stale;
@@ -107,8 +107,8 @@ void redistribute(StepContext& c) {
   work.emitted = 0;
   runPhase(ModulePhase::Emission, c);  // layers of emitters
 
-  // Without neighbour sums particles may stay on their first rank, so that bonds, which follow their ends
-  // across ranks, need not migrate.
+  // Without neighbour sums, particles may stay on their first rank. Bonds, which follow their ends across
+  // ranks, then need not migrate.
   const bool ordered = needsOrder(w.modules, w.walls, c.t.solid);
   work.moved = ordered || work.newPartition || w.modules.emitters;
   const bool partitioned = std::exchange(work.newPartition, false);

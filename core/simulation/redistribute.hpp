@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// First part of an evaluation: particles move to their ranks and into order.
+// First part of an evaluation: migration and sorting of particles.
 #pragma once
 #include "core/simulation/step_context.hpp"
 
@@ -16,8 +16,8 @@ inline bool needsNeighbours(const Modules& modules, const SolidWork& solid) {
 }
 
 /// Returns true if this evaluation visits cells or rows in (cell, id) order. Otherwise rows keep their order
-/// while none comes or goes. No result depends on that: sums over all particles are exact, and bonds have an
-/// order of their own.
+/// as long as no row enters or leaves. Results do not depend on this order: sums over all particles are
+/// exact, and bonds have their own order.
 bool needsOrder(const Modules& modules, const Walls& walls, const SolidWork& solid);
 
 }  // namespace thaw

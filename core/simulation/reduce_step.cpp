@@ -10,16 +10,17 @@
 namespace thaw {
 namespace {
 
-/// Limits, failures and requests of this rank.
+/// Collects limits, failures and requests of this rank.
 void reductionHere(StepContext& c, const StepOutcome& here, Requests requests) {
   World& w = c.w;
   StepTools& t = c.t;
   StepLimits& own = c.limits;
   own = particleLimits(w, here.largest ? *here.largest : largestRates(w.particles),
                        t.limits.stableViscousStep);
-  // The minimum over ranks belongs to the most compressed particle.
+  // The minimum over ranks is the limit of the most compressed particle.
   own[Limit::Sound] = t.limits.fixed[Limit::Sound] / soundStiffening(w.scene, w.modules, w.particles);
-  // Wall contacts are stiffer than the lattice behind cfl_sound. Here omega dt is at most 1.2; 2 is stable.
+  // Wall contacts are stiffer than the lattice behind cfl_sound. The factor limits omega dt to 1.2; values up
+  // to 2 are stable.
   if (t.walls.contacts.stiffest > 0)
     own[Limit::Contact] = 3 * w.scene.numerics.cflSound / t.walls.contacts.stiffest;
   StepReduction& reduction = c.reduction;
@@ -36,7 +37,7 @@ void reductionHere(StepContext& c, const StepOutcome& here, Requests requests) {
   runPhase(ModulePhase::Limits, c);
 }
 
-/// Limits of all ranks.
+/// Computes the limits of all ranks.
 void limitsOfAll(StepContext& c) {
   StepLimits& limits = c.commonLimits;
   limits = c.t.limits.fixed;
@@ -53,7 +54,8 @@ void setNextStep(MonitorState& monitor, const Scene& scene, Clock& clock, StepLi
                  Limit limitedBy) {
   monitor.factor = nextFactor(monitor);  // 1, or less after a rollback
   const double fixed = scene.numerics.fixedStep, factor = monitor.factor;
-  // Without a limit frames shorten the step; after a rollback it is a fraction of that.
+  // Without a limit, only frames shorten the step. After a rollback, the step is a fraction of the longest
+  // such step.
   const bool limited = limits[limitedBy] < never;
   const double limit = limited || factor == 1 ? limits[limitedBy] : longestUnlimitedStep(clock);
   // The step grows by at most a tenth: fluctuating leap-frog steps pump energy into fast oscillations.

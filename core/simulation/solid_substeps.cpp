@@ -81,8 +81,8 @@ void substepSolids(World& w, Halos halos, StepTools& t, double dt) {
   const int n = w.clock.substeps;
   if (n <= 1) return;
   const double span = dt / n, far2 = w.grid.support * w.grid.support / (dt * dt);
-  linkSolids(w.particles, w.solids);  // rows were sorted since, if the run was resumed
-  // Already handled.
+  linkSolids(w.particles, w.solids);  // in a resumed run, rows have been sorted since the last link
+  // New references are already handled.
   if (w.solids.rereferenced.active)
     std::fill_n(w.solids.rereferenced.data(), w.solids.size(), std::uint8_t{0});
   if (w.particles.stepMeanVelocity.active)
@@ -103,8 +103,8 @@ void chooseSubsteps(const Modules& modules, Clock& c, Ledger& ledger, const Wall
   const int before = c.substeps, most = modules.mostSubsteps;
   const double step = nextStep(c), wanted = std::ceil(step / longest * (1 - 1e-9));
   c.substeps = wanted < most ? std::max(1, static_cast<int>(wanted)) : most;
-  // The number decreases only if it will stay small: a fluctuating number of substeps pumps energy into fast
-  // oscillations, like fluctuating steps.
+  // The number decreases only if it is likely to stay smaller. A fluctuating number of substeps pumps energy
+  // into fast oscillations, like fluctuating steps.
   if (c.substeps < before && before <= most && 1.1 * step > (before - 1) * longest) c.substeps = before;
   if (c.substeps == before) return;
   for (int a = 0; a < 3; a++) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One time step: the starting point for readers of the code.
+// One time step. Readers of the code should start here.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace thaw {
 
-/// Actions that a rank requests after a step; one request triggers all ranks.
+/// Actions that a rank requests after a step. A request on one rank triggers the action on all ranks.
 struct Requests {
   bool stop = false, report = false, checkpoint = false;
 };
@@ -20,9 +20,9 @@ struct Requests {
 /// Common result of all ranks after a step.
 struct StepOutcome {
   Limit limitedBy = Limit::Scene;
-  Requests requests;                ///< by any rank
+  Requests requests;                ///< requests of any rank
   Failure failure = Failure::None;  ///< result of the stability monitor
-  bool finite = true;  ///< false: some value is not finite; `bad` is its row on the rank that has it
+  bool finite = true;  ///< false: a value is not finite; `bad` is its row on the rank that has it
   bool badHere = false;
   std::size_t bad = 0;
   std::optional<LargestRates> largest;  ///< on this rank, if the kick computed them
@@ -30,16 +30,16 @@ struct StepOutcome {
                             ///< update; 0 without a surface
 };
 
-/// Migrates, sorts and searches; then computes forces, heat flows and all other data that follow from
-/// positions, velocities and temperatures. dt (s): last step, 0 at the start. Requires: particles in any
-/// order on any rank. Ensures: each particle is on the rank that owns its cell, sorted by (cell, id), if
-/// cells are needed (needsOrder).
+/// Migrates and sorts particles and searches neighbours. Then computes forces, heat flows and all other
+/// data that depend on positions, velocities and temperatures. dt (s): last step, 0 at the start. Requires:
+/// particles in any order on any rank. Ensures: each particle is on the rank that owns its cell, sorted by
+/// (cell, id), if cells are needed (needsOrder).
 void evaluate(World& world, Halos halos, StepTools& tools, double dt);
 
 /// Reduces the limits of all ranks and sets the next step in the clock. Collective.
 StepOutcome reduceStep(World& world, Halos halos, StepTools& tools, StepOutcome here, Requests requests);
 
-/// As above, with the context of a step.
+/// The same, with the context of a step.
 void evaluate(StepContext& context);
 StepOutcome reduceStep(StepContext& context, StepOutcome here, Requests requests);
 

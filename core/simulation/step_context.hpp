@@ -18,13 +18,14 @@ struct StepContext {
   Halos halos;
   StepTools& t;
   double dt;    ///< s, length of the step; 0 for an evaluation without a step
-  double time;  ///< s, at its end
+  double time;  ///< s, time at the end of the step
   WallContext walls;
   bool leftBonds = false;    ///< a particle with bonds left the domain
   bool bondsForm = false;    ///< bonds form in this step on some rank
-  bool justFrozen = false;   ///< particles froze in the last step: contacts record their jump of energy
-  bool contactNear = false;  ///< with Modules::rareContact: unbonded solids of this rank touch, or will soon
-  VanishedWalls vanished = {};                ///< without walls unless some vanished in this step
+  bool justFrozen = false;   ///< particles froze in the last step, so contacts record the jump of energy
+  bool contactNear = false;  ///< with Modules::rareContact: unbonded solids of this rank touch, or will touch
+                             ///< soon
+  VanishedWalls vanished = {};                ///< has walls only if some vanished in this step
   PassRows rows = {};                         ///< rows of the present pass of sums
   Exchange solidPositions = {}, stress = {};  ///< in flight
   StepLimits limits = {};                     ///< s, of this rank's particles
@@ -34,7 +35,8 @@ struct StepContext {
   bool finite = true;             ///< all values of all ranks are finite
 };
 
-/// Returns the context of a step of dt (StepContext::dt). Requires: the clock at the beginning of the step.
+/// Returns the context of a step. dt: s, as StepContext::dt. Requires: the clock at the beginning of the
+/// step.
 StepContext stepContext(World& world, Halos halos, StepTools& tools, double dt);
 
 /// Runs the calls of the scene's modules in this phase.

@@ -24,7 +24,7 @@ bool dropBonds(Solids& solids, Bonds& bonds, std::size_t solidIndex, int most) {
 
 namespace {
 
-/// Returns whether the whole energy of a solid is proportional to Young's modulus at any liquid fraction.
+/// Returns true if all energy of a solid is proportional to Young's modulus at any liquid fraction.
 bool scalesWithYoung(const Material& m, const ElasticConstants& c) {
   return c.law->law->builtIn >= 0 && m.volumeStiffness == 0 && m.poisson.solid == m.poisson.liquid &&
          (m.yieldStrain.solid == m.yieldStrain.liquid || !(m.yieldStrain.solid < never));

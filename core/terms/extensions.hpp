@@ -71,7 +71,7 @@ void registerExtension(Extension extension);
 
 /// Returns the extension of that name, or null.
 const Extension* findExtension(const std::string& name);
-/// Returns the names of those extensions for which `has` is true, in order.
+/// Returns the names of the extensions for which `has` is true, in order.
 std::vector<std::string> extensionNames(const std::function<bool(const Extension&)>& has);
 /// Returns the names of all elastic laws: those of the library in the order of their table, then others.
 std::vector<std::string> lawNames();

@@ -28,8 +28,8 @@ struct OutsideLoad {
 };
 
 /// Called once in every evaluation of forces, on every rank, including ranks without particles. To give the
-/// same bits on any number of ranks, a load may depend only on the particle's own fields, the scene, the
-/// walls, the time, and exact sums or maxima over all ranks.
+/// same bits on any number of ranks, a load may use only the particle's own fields, the scene, the walls and
+/// the time. It may also use exact sums and maxima over all ranks.
 using OutsideSource = std::function<void(const OutsideLoad&)>;
 
 /// Returns true if a particle is neither clamped nor sleeping, so that forces move it.

@@ -9,7 +9,7 @@
 
 namespace thaw {
 
-/// Step: a whole step. Phase: a lap of PhaseTimes. Wait: the rank is blocked. Exchange: messages are in
+/// Step: a complete step. Phase: a lap of PhaseTimes. Wait: the rank is blocked. Exchange: messages are in
 /// flight, possibly during other work.
 enum class TraceKind : std::uint8_t { Step, Phase, Wait, Exchange };
 

@@ -11,14 +11,19 @@
 
 namespace thaw {
 
-/// Values at one distance. relativeDensity: sum V W (1). push: sum V |dW/dz| along the normal (1/h); for
-/// Wendland's and the cubic kernel -d relativeDensity / d(distance). conduct: sum V lap W (1 + z/d) (1/h^2),
-/// with the depth z of a layer: the Laplacian of a field that is linear across the wall's surface (MFZ97).
-/// drag: the same for a velocity along the wall with the scene's viscosity, scaled so that layers of
-/// particles one spacing apart, wherever the first one lies, have the total stress mu du/dz in a linear
-/// profile. space: relativeDensity before forLiquids. momentShare: sum V z |dW/dz| (1), the wall's part of
-/// the moment along the normal; z: distance to a layer. shear: the wall's share (1) of the dissipation of
-/// pairs in shear along the wall.
+/// Values at one distance.
+/// - relativeDensity: sum V W (1).
+/// - push: sum V |dW/dz| along the normal (1/h). For Wendland's and the cubic kernel it is
+///   -d relativeDensity / d(distance).
+/// - conduct: sum V lap W (1 + z/d) (1/h^2), with the depth z of a layer. It is the Laplacian of a field that
+///   is linear across the wall's surface (MFZ97).
+/// - drag: the same for a velocity along the wall, with the scene's viscosity. It is scaled such that layers
+///   at distances of one spacing have the total stress mu du/dz in a linear profile, for any position of the
+///   first layer.
+/// - space: relativeDensity before forLiquids.
+/// - momentShare: sum V z |dW/dz| (1), the wall's part of the moment along the normal; z: distance to a
+///   layer.
+/// - shear: the wall's share (1) of the dissipation of pairs in shear along the wall.
 struct WallIntegrals {
   double relativeDensity = 0, push = 0, conduct = 0, drag = 0, space = 0, momentShare = 0, shear = 0;
 };

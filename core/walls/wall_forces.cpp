@@ -55,7 +55,7 @@ struct ParticleAtWall {
 };
 
 /// Force (N) along the normal: the wall's part of the hydrostatic pressure gradient. The wall's push uses the
-/// particle's own pressure, but in liquid in place of the wall, the pressure would increase with the weight.
+/// particle's own pressure, but liquid in place of the wall would have a pressure that increases with depth.
 /// The wall's part is its share of the particle's moment. The force is 0 without positive pressure, as in
 /// falling drops.
 double hydrostaticWallForce(const Scene& scene, const ParticleAtWall& at, double pressure,

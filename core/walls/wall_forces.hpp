@@ -82,8 +82,8 @@ void addWallRelativeDensity(const WallContext& context, double inverseLatticeSum
 /// a spring with dashpot and Coulomb friction. Work and impulse are recorded in the ledger.
 void addWallForces(const WallContext& context, double inverseLatticeSum, WallContacts& contacts);
 
-/// Records the dissipation of solid contacts that the evaluation missed, since the loss depends on the
-/// velocity in the half kicks before and after the evaluation. Call it after all forces.
+/// Records the dissipation of solid contacts that the evaluation missed. The loss depends on the velocity in
+/// the half kicks before and after the evaluation. Call it after all forces.
 void recordResistance(const WallContext& context, std::span<const DissipativeForce> dissipativeForce);
 
 /// Records the constraint forces of clamped and driven particles, which balance all forces on them. Call it

@@ -40,9 +40,9 @@ struct Progress {
   }
 };
 
-/// Returns the compression (1) that a solve corrects in this step, besides that of the flow. Inside the
-/// liquid both signs are corrected slowly, since shear changes the summed density by a few per cent.
-/// Elsewhere the liquid may fill a deficit at once.
+/// Returns the compression (1) that a solve corrects in this step, in addition to the compression by the
+/// flow. Inside the liquid both signs are corrected slowly, since shear changes the summed density by a few
+/// per cent. Elsewhere the liquid may fill a deficit at once.
 double sourceOf(const PressureSystem& x, double share, std::size_t i) {
   const double inside = static_cast<double>(x.pressure.inside[i]);
   double excess = static_cast<double>(x.particles.relativeDensity[i]) - x.pressure.targetRelativeDensity;

@@ -7,9 +7,9 @@
 namespace thaw {
 namespace THAW_ISA {
 
-/// W = 315 / (64 pi) (1 - q^2)^3, independent of the scene's kernel. Its slope weights second neighbours
-/// almost like first ones, so the surface energy depends little on the arrangement of particles. grad W =
-/// slope d; the Hessian is slope 1 + secondDerivative d d.
+/// W = 315 / (64 pi) (1 - q^2)^3, independent of the scene's kernel. Its slope gives second neighbours almost
+/// the same weight as first neighbours. The surface energy thus depends little on the arrangement of
+/// particles. grad W = slope d; the Hessian is slope 1 + secondDerivative d d.
 struct SurfaceKernel {
   template<class T> static THAW_INLINE T w(T q2) {
     const T u = max(T(1.0) - q2, T(0.0));

@@ -13,15 +13,15 @@ struct CellCost {
   double cost;
 };
 
-/// Appends the cost of cells with owned rows, also if ghost cells are merged into `cells`. costOf(c): cost of
-/// the rows of cell c.
+/// Appends the cost of cells with owned rows. `cells` may contain merged ghost cells. costOf(c): cost of the
+/// rows of cell c.
 template<class CostOf>
 void addCells(const Table& rows, const CellTable& cells, CostOf costOf, std::vector<CellCost>& list) {
   for (std::size_t c = 0; c < cells.key.size(); c++)
     if (cells.first[c] < rows.owned) list.push_back({cells.key[c], costOf(c)});
 }
 
-/// Sleeping particles cost about a tenth.
+/// Returns the cost of a particle. Sleeping particles cost about a tenth of awake ones.
 double costOfParticle(const Continuum& p, std::size_t i, const RowCosts& costs) {
   return (p.sleep.active && p.sleep[i] == sleeping ? 0.1 : 1) *
          (p.phase[i] == Solid ? costs.solid : costs.liquid);

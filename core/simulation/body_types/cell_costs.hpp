@@ -9,11 +9,11 @@
 namespace thaw {
 
 struct CellCosts {
-  CellTable cells;           ///< owned cells, ascending by key; only keys and their number are set
+  CellTable cells;           ///< owned cells, ascending by key; only the keys and the number of cells are set
   std::vector<double> cost;  ///< parallel to cells.key
 };
 
-/// Cost of a row in an arbitrary unit, > 0: liquid and solid continuum particles, and each body type.
+/// Cost of a row, > 0, in an arbitrary unit, for liquid and solid continuum particles and for each body type.
 struct RowCosts {
   double liquid = 1, solid = 1;
   std::array<double, bodyTypeCount> bodyType;

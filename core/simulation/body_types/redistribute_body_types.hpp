@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Redistribution of the rows of body types to the ranks that own their cells; the continuum defines cell
-// ownership.
+// Redistribution of the rows of body types to the ranks that own their cells. The continuum defines the
+// ownership of cells.
 #pragma once
 #include "core/halo/halos.hpp"
 #include "core/scene/scene_warning.hpp"
@@ -9,8 +9,9 @@
 
 namespace thaw {
 
-/// Wraps positions at periodic sides, records and drops rows that left through open ones, migrates, and sorts
-/// by (cell, id). Ghosts are dropped. dt (s): length of the last step. Collective.
+/// Wraps positions at periodic sides, and records and drops rows that left through open sides. Then it
+/// migrates rows and sorts them by (cell, id). Ghosts are dropped. dt (s): length of the last step.
+/// Collective.
 void redistributeBodyTypes(World& world, Halos halos, RedistributionWork& work, double dt = 0);
 
 /// Activates the columns of the scene's body types.

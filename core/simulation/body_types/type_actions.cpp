@@ -17,7 +17,8 @@ TypeActions orientedActions() {
   a.sample = [](World& w, SamplingOfTypes& x) {
     x.positions = sampleOriented(w.oriented.rows, w.scene, x.halos, x.load, x.warnings);
   };
-  a.leavesAtSides = false;  // evaluateOriented removes rows, after it has the energy of their pairs
+  a.leavesAtSides = false;  // evaluateOriented removes the rows itself, after it has computed the energy of
+                            // their pairs
   return a;
 }
 

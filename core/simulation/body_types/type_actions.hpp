@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Work of a single body type, beside that of all types: set-up, and rows that leave or migrate.
+// Functions that are specific to a body type: set-up, and treatment of rows that leave or migrate.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -16,22 +16,22 @@ struct SamplingOfTypes {
   Halos halos;
   const MeshLoader& load;
   std::vector<SceneWarning>& warnings;
-  /// positions of each oriented body's particles, on all ranks
+  /// m, positions of each oriented body's particles, on all ranks
   std::vector<std::vector<Vec3d>> positions;
 };
 
-/// Functions of a type. Those of its rows are called only in scenes with the type; null: nothing to do.
+/// Functions of a body type. Functions of rows are called only in scenes with the type. Null: nothing to do.
 struct TypeActions {
   bool (*isOn)(const World&) = nullptr;
   void (*activate)(World&) = nullptr;                  ///< activates the columns
   void (*sample)(World&, SamplingOfTypes&) = nullptr;  ///< appends this rank's rows; collective
   bool leavesAtSides = true;                           ///< false: the type removes its rows itself
-  /// before rows are removed, with the length (s) of the last step
+  /// Called before rows are removed. dt: s, length of the last step.
   void (*beforeRemoval)(World&, std::span<const std::uint32_t> rows, double dt) = nullptr;
   void (*afterRemoval)(World&, bool removed) = nullptr;
-  /// data of migrating rows outside of their table; collective
+  /// Migrates data of rows outside of their table. Collective.
   void (*migrateMore)(World&, Halos&, const Migration&) = nullptr;
-  void (*clear)(World&) = nullptr;  ///< data of removed rows outside of their table
+  void (*clear)(World&) = nullptr;  ///< clears data of removed rows outside of their table
 };
 
 /// Returns the actions of all types, by their number.

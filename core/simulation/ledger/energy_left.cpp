@@ -18,7 +18,7 @@
 namespace thaw {
 namespace {
 
-/// Numbers per leaver in a message.
+/// Number of words per leaver in a message.
 std::size_t wordsOf(const std::vector<PairForceWork>& pairForces) { return 6 + 4 * pairForces.size(); }
 
 double volumeOf(const CellGrid& grid, const Continuum& particles, const Scene& scene, std::size_t i) {
@@ -44,8 +44,8 @@ std::vector<Vec3d> imagesOf(const Scene& scene, const CellGrid& grid, const Vec3
   return images;
 }
 
-/// Calls pair(row, leaver, (position - leaver's position) / h) for remaining liquid particles, leavers
-/// ascending.
+/// Calls pair(row, leaver, (position - leaver's position) / h) for remaining liquid particles near each
+/// leaver, in ascending order of leavers.
 template<class Pair> void eachNearLeaver(const World& w, const std::vector<Leaver>& leavers, Pair&& pair) {
   const Continuum& p = w.particles;
   std::vector<RowSpan> ranges;
@@ -60,7 +60,8 @@ template<class Pair> void eachNearLeaver(const World& w, const std::vector<Leave
     }
 }
 
-/// Each particle of a pair stores half of its energy (terms/tension.hpp).
+/// Records the energy of pairwise tension. Each particle of a pair stores half of the pair's energy
+/// (terms/tension.hpp).
 void recordCohesion(World& w, const std::vector<Leaver>& leavers,
                     const std::vector<LiquidMaterial>& liquids) {
   using isa_base::Cohesion;
@@ -72,7 +73,8 @@ void recordCohesion(World& w, const std::vector<Leaver>& leavers,
   });
 }
 
-/// The energy that remaining particles lose is half of that of their pairs with leavers; leavers take theirs.
+/// Records the loss of remaining particles, which is half of the energy of their pairs with leavers. The
+/// other half leaves with the leavers.
 void recordPairForces(World& w, const std::vector<Leaver>& leavers,
                       const std::vector<PairForceWork>& pairForces) {
   for (std::size_t k = 0; k < pairForces.size(); k++) {

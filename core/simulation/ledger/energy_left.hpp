@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Energy that leaves through open sides with liquids that have surface tension.
-// Surface and compression energy depend on neighbours: removing a particle exposes its neighbours and lowers
-// their density, which changes their energy.
+// Energy that leaves through open sides with liquids that have surface tension. Surface and compression
+// energy depend on neighbours. Removal of a particle exposes its neighbours and lowers their density, which
+// changes their energy.
 #pragma once
 #include <vector>
 
@@ -13,7 +13,7 @@ namespace thaw {
 
 struct StepTools;
 
-/// Leavers of all ranks, ascending by id. Collective.
+/// Returns the leavers of all ranks, ascending by id. Collective.
 std::vector<Leaver> leaversOfAll(const World& world, const StepTools& tools, Reducer& all);
 
 /// Adds to Ledger::left the energy that owned liquid particles lose when RedistributionWork::leavers are

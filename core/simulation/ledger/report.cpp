@@ -20,7 +20,7 @@ namespace {
 void addOwnSpin(const Pieces& pieces, const Continuum& particles, const Scene& scene, std::size_t i,
                 ExactBalance& b) {
   const std::uint32_t row = pieces.rowOf(particles.piece[i]);
-  if (row == noPieceRow) return;  // at a start, before the pieces are made
+  if (row == noPieceRow) return;  // at the start, before pieces are created
   const double inertia = ownInertia(particles.mass[i], scene.spacing);
   const Vec3d spin = spinOf(pieces, row, pieces.angularMomentum[row]);
   b.kinetic.add(0.5 * inertia * dot(spin, spin));
@@ -45,7 +45,7 @@ void addRow(const World& w, std::size_t i, ExactBalance& b) {
     b.elastic.add(w.solids.energy[p.solidIndex[i]]);
 }
 
-/// Exact sums, packed for one reduction.
+/// Exact sums, packed for a single reduction.
 struct Pack {
   std::vector<ExactSum> sums;
   void add(const ExactBalance& b) {
@@ -99,16 +99,16 @@ double movableHeat(const Scene& s, const Modules& modules, double mass) {
   return highest > lowest ? mass * capacity * (highest - lowest) : 0;
 }
 
-/// Largest heat (J) that moved or can move.
+/// The larger of the heat (J) that has moved and the heat that can move.
 double heatScaleOf(const Scene& scene, const Modules& modules, const LedgerReport& r) {
   const double gained = r.now.internal - r.initial.internal - r.entered.internal + r.left.internal;
   return std::max({std::abs(gained), std::abs(r.heatIn), movableHeat(scene, modules, r.now.mass)});
 }
 
-/// Rounding limit of mechanical energies, which are sums of cancelling terms. It is 1e-14 of three energies:
-/// a strain of 1 in all bodies, their fall through the domain, motion through it in the scene's time. It is
-/// also 2^-24 of the heat that moves. Less would not show in temperatures of a frame, which are in single
-/// precision.
+/// Rounding limit (J) of mechanical energies, which are sums of cancelling terms. It is 1e-14 of three
+/// energies: a strain of 1 in all bodies, their fall through the domain, and motion through the domain in the
+/// scene's duration. It is at least 2^-24 of the heat that moves. Smaller energies are invisible in the
+/// temperatures of a frame, which are in single precision.
 double roundingOf(const Scene& s, const Modules& modules, const SheetBodies& sheets,
                   const std::vector<LiquidMaterial>& liquids, const LedgerReport& r) {
   const Vec3d size = s.domain.max - s.domain.min;
@@ -153,7 +153,7 @@ ExactBalance balanceHere(const World& w) {
 
 namespace {
 
-/// Returns this rank's part of all sums of a report, in the order in which unpackReport takes them.
+/// Returns this rank's part of all sums of a report, in the order that unpackReport expects.
 Pack packLedger(const World& w) {
   const Continuum& p = w.particles;
   ExactSum dissipated = w.ledger.dissipated, liquid, continuum, impulseInFlight[3];
@@ -194,7 +194,7 @@ struct LedgerSums {
   std::vector<std::int64_t> counts;  ///< rows of each body type in the scene, then continuum particles
 };
 
-/// One reduction for all sums and counts. Collective.
+/// Reduces all sums and counts over ranks in one reduction. Collective.
 LedgerSums sumOverRanks(const World& w, Pack pack, Reducer& all) {
   std::vector<std::int64_t> digits;
   for (ExactSum& s : pack.sums) {
@@ -246,7 +246,7 @@ LedgerReport unpackReport(const World& w, const LedgerSums& from) {
   return r;
 }
 
-/// Sets the changes that no entry explains, and the energies that they are compared with.
+/// Sets the residuals, which no entry explains, and the energy scales for their comparison.
 void findResiduals(const MonitorState& monitor, LedgerReport& r) {
   r.massResidual = r.now.mass - (r.initial.mass + r.entered.mass - r.left.mass);
   r.momentumResidual = r.now.momentum + r.impulseInFlight -

@@ -11,7 +11,10 @@ struct StepTools;
 /// Energies (J) of lamps, lasers or heated regions since the start.
 struct SourceReport {
   double given = 0, absorbed = 0, reflected = 0;
-  double missed() const { return given - absorbed - reflected; }  ///< met no body, or an obstacle
+  double missed() const {
+    return given - absorbed - reflected;
+  }  ///< energy that met no body, or hit an
+     ///< obstacle
 };
 
 struct LedgerReport {
@@ -20,25 +23,27 @@ struct LedgerReport {
   Vec3d wallImpulse{}, gravityImpulse{};                                            // N s
   bool hasSources = false;  ///< the scene has lamps, lasers or heated regions; else their energies are 0
   SourceReport lamps, lasers, regions;
-  bool hasVapour = false;    ///< the scene has liquids that evaporate
-  double evaporated = 0;     ///< kg, also in left.mass
-  double vapourHeat = 0;     ///< J, latent heat of the vapour; minus this is in heatIn
-  Vec3d impulseInFlight{};   ///< N s, impulse in flight: contacts gave it to vertices and particles, and give
-                             ///< it to oriented particles in the next step
-  double massResidual = 0;   ///< kg
-  Vec3d momentumResidual{};  ///< kg m/s
+  bool hasVapour = false;     ///< the scene has liquids that evaporate
+  double evaporated = 0;      ///< kg, also in left.mass
+  double vapourHeat = 0;      ///< J, latent heat of the vapour; minus this is in heatIn
+  Vec3d impulseInFlight{};    ///< N s, impulse in flight: contacts have applied it to vertices and particles,
+                              ///< and apply it to oriented particles in the next step
+  double massResidual = 0;    ///< kg
+  Vec3d momentumResidual{};   ///< kg m/s
   double energyResidual = 0;  ///< J, mechanical: kinetic + elastic + potential minus inflow, outflow, work
                               ///< and dissipation
   double heatResidual = 0;    ///< J, change of internal energy minus heat inflow
   double energyScale = 0;     ///< J, largest term of energyResidual
   double energyLargest = 0;   ///< J, largest energyScale of now and of all snapshots since the run began
-  double energyRounding = 0;  ///< J, mechanical energies below it are irrelevant: rounding of their terms,
-                              ///< or of the heat that moved
+  double energyRounding = 0;  ///< J, limit below which mechanical energies are only rounding errors of their
+                              ///< terms or of the heat that moved
   double heatScale = 0;  ///< J, the larger of the heat that moved and the heat that temperature differences
                          ///< in the scene can move
-  double liquidFraction = 0;  ///< fraction of the continuum's mass, without sheets and oriented particles
+  double liquidFraction = 0;  ///< liquid fraction of the continuum's mass, without sheets and oriented
+                              ///< particles
   std::int64_t particles = 0;
-  std::int64_t rows[2] = {0, 0};  ///< number by further body type (core/simulation/world/body_types.hpp)
+  std::int64_t rows[2] = {0, 0};  ///< number of rows by body type, without the continuum
+                                  ///< (core/simulation/world/body_types.hpp)
 };
 
 /// Returns true if the energies are so small that relative residuals are meaningless.

@@ -22,8 +22,8 @@ double gravityOf(const Domain& domain, double mass, const Vec3d& place) {
   return -mass * dot(domain.gravity, place);
 }
 
-/// The relative density of sleeping particles is unknown, since their sums may be skipped: all their stored
-/// energy counts as contact.
+/// Adds the energies of particles. The relative density of sleeping particles is unknown, since their sums
+/// may be skipped, so all their stored energy counts as contact.
 void addParticles(const World& w, const std::vector<LiquidMaterial>& liquids, Sums& sums) {
   const Continuum& p = w.particles;
   const RecordContext context{w.scene, w.modules, w.grid, liquids};

@@ -152,7 +152,7 @@ Ledger globalLedger(const Ledger& mine, Reducer& all) {
   std::vector<std::int64_t> digits;
   digits.reserve(list.size() * ExactSum::digits);
   for (const NamedSum& s : list) {
-    s.sum->carry();  // digits below 2^32 can be added over 2^31 ranks
+    s.sum->carry();  // digits below 2^32 can be added over up to 2^31 ranks
     digits.insert(digits.end(), s.sum->digit.begin(), s.sum->digit.end());
   }
   for (const SourceUse& use : sum.sourceUse) digits.push_back(use.absorbed);

@@ -24,7 +24,7 @@ StepModule summedDensity() {
 
 namespace {
 
-/// Sums densities that liquids carry over the step.
+/// Advances the carried densities of liquids over the step.
 void sumCarriedDensities(StepContext& c) {
   const CarryContext context = carryContext(c.w, c.t, c.dt);
   CarryStep carry = carryStepOf(context);
@@ -44,8 +44,7 @@ StepModule carriedDensity() {
            {ModulePhase::Density, [](StepContext& c) { finishCarry(carryContext(c.w, c.t, c.dt)); }},
            {ModulePhase::Limits,
             [](StepContext& c) {
-              // Neighbourhoods that tear are stiffer than a lattice, and begin to oscillate from step to
-              // step.
+              // Neighbourhoods that tear are stiffer than a lattice, and would oscillate from step to step.
               const double change = c.t.carry.largestChange, dt = c.w.clock.stepDt;
               if (change > 0 && dt > 0) c.reduction.lower(Limit::Density, dt * densityChangePerStep / change);
             }}},

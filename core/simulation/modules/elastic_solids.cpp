@@ -61,12 +61,13 @@ StepModule elasticSolids() {
         [](StepContext& c) {
           c.reduction.stretch2 = c.t.solid.maxStretch2;
           c.reduction.strainBound = largestStrainBound(c.t.solid.elastic, c.w.solids);
-          // Bonds break and references change in any step.
+          // Bonds may break and references may change in any step.
           c.w.counters.singularNeighbourhoods = countSingular(c.t.solid.elastic, c.w.solids);
         }},
        {ModulePhase::CommonLimits,
         [](StepContext& c) {
-          // From the largest values of all ranks: the minimum of their limits would depend on the partition.
+          // The limit is computed from the largest values of all ranks. The minimum of the ranks' limits
+          // would depend on the partition.
           const StepReduction& all = c.reduction;
           c.commonLimits[Limit::Elastic] = all.stretch2 > 0
                                                ? elasticStepLimit(c.w.scene, all.stretch2, all.strainBound)
@@ -74,7 +75,7 @@ StepModule elasticSolids() {
         }},
        {ModulePhase::EndOfStep,
         [](StepContext& c) {
-          // Here and not in the next step, so that checkpoints contain it.
+          // Bonds are dropped here and not in the next step, so that checkpoints contain the result.
           if (c.dt > 0 && c.t.phaseChange.meltedAnywhere)
             melt(c.w, c.halos.bonds, c.t.solid.elastic, c.t.times);
         }}},
@@ -106,8 +107,8 @@ StepModule newReferences() {
 namespace {
 
 /// Returns the longest step (s) for substeps of at most `substep` (s), under the other limits (s). A substep
-/// is added only if it reduces the cost of a simulated second. It is taken to cost half of the rest of a
-/// step.
+/// is added only if it reduces the cost of a simulated second. The assumed cost of a substep is half of the
+/// cost of the remainder of a step.
 double worthwhileStep(double substep, double limit, int most) {
   constexpr double cost = 0.5;
   const double whole = std::floor(limit / substep);
@@ -116,10 +117,10 @@ double worthwhileStep(double substep, double limit, int most) {
   return longer > shorter ? (whole + 1) * substep : whole * substep;
 }
 
-/// Longest step (s) at which slow forces feed no elastic waves, for the limit `elastic` (s) of a step without
-/// substeps. Pressure and viscosity of mush, and impulses of incompressible liquid, are as stiff as bonds,
-/// and feed the fastest waves once two of them are half a period apart. At a cfl_elastic of 0.8 they are a
-/// quarter of it apart.
+/// Longest step (s) at which slow forces do not amplify elastic waves. elastic: s, limit of a step without
+/// substeps. Pressure and viscosity of mush, and impulses of incompressible liquid, are as stiff as bonds.
+/// They amplify the fastest waves if the step reaches half a period. At a cfl_elastic of 0.8 the step is a
+/// quarter of a period.
 double longestWithSlowForces(const StepContext& c, double elastic) {
   constexpr double stable = 0.8;  // cfl_elastic
   const auto isNever = [](const StepLimits& limits) {

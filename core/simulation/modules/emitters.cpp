@@ -68,7 +68,7 @@ void recordEmitted(World& w, PhaseChangeWork& phaseChange, std::size_t emitted) 
   std::vector<std::uint32_t> fresh;
   for (std::size_t i = p.owned - emitted; i < p.owned; i++) {
     fresh.push_back(static_cast<std::uint32_t>(i));
-    if (p.phase[i] == Solid) phaseChange.here = true;  // emitted as solid: needs a row in Solids
+    if (p.phase[i] == Solid) phaseChange.here = true;  // a particle emitted as solid needs a row in Solids
   }
   addToBalance(w, fresh, w.ledger.entered);
 }

@@ -13,7 +13,7 @@
 namespace thaw {
 namespace {
 
-/// Adds rows, ascending, to those that leave.
+/// Adds rows to the leaving rows. rows: ascending.
 void addLeaving(std::span<const std::uint32_t> rows, Continuum& p, std::vector<std::uint32_t>& leaving) {
   if (rows.empty()) return;
   for (const std::uint32_t i : rows) p.nextCell[i] = noCell;

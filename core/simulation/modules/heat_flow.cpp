@@ -30,13 +30,13 @@ StepModule exposedAreas() {
 }
 
 StepModule conductionCorrection() {
-  constexpr std::int64_t everySteps = 8;  // surfaces move by much less than a spacing meanwhile
+  constexpr std::int64_t everySteps = 8;  // surfaces move by much less than a spacing in this time
   return {"corrected conduction",
           [](const World& w, const TermWork&) { return w.particles.conductionCorrection.active; },
           {{ModulePhase::AllForces,
             [](StepContext& c) {
               if (c.dt != 0 && (c.w.clock.step + 1) % everySteps != 0) return;
-              // for the next step
+              // used in the next step
               correctConduction(pairSumsOf(c.w, c.t.sums), c.walls, c.t.walls.contacts, c.t.heat.conduction);
             }}},
           [](Continuum& p) {
@@ -53,7 +53,7 @@ StepModule contactConductance() {
                                  c.w.particles, c.t.heat.contact);
             }},
            {ModulePhase::ForceSums,
-            [](StepContext& c) {  // after the conduction, which it corrects
+            [](StepContext& c) {  // runs after the conduction, which it corrects
               packContactFaces(c.w.scene, c.w.particles, c.rows.begin, c.rows.end, c.t.heat.contact);
               addContactHeat(pairSumsOf(c.w, c.t.sums), c.t.heat.contact, c.rows.groups);
             }}},

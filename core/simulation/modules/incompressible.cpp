@@ -72,7 +72,7 @@ StepModule incompressiblePressure() {
               Continuum& p = c.w.particles;
               if (c.t.phaseChange.meltedAnywhere && p.clamped.active)  // melting releases clamped particles
                 refresh(c.halos.cells, p, ColumnList{&p.clamped}).wait();
-              // Removes compression from v and computes the next density-pressure impulse.
+              // Removes compression from the velocities and computes the next density-pressure impulse.
               solvePressure(c.w, c.halos, c.t, c.dt > 0 ? c.dt : nextStep(c.w.clock));
             }}},
           [](Continuum& p) {

@@ -13,7 +13,7 @@
 namespace thaw {
 namespace {
 
-/// Columns of ghosts that energies of pairs read, and that changed in the step.
+/// Returns the ghost columns that pair energies read and that changed in the step.
 ColumnList changedColumns(StepContext& c) {
   Continuum& p = c.w.particles;
   ColumnList changed{&p.liquid, &p.phase};
@@ -28,7 +28,7 @@ ColumnList changedColumns(StepContext& c) {
 /// Records the energies of contacts and pairs that change with the phase.
 void recordChanges(StepContext& c) {
   Continuum& p = c.w.particles;
-  // At the end of the scene no limit on the step exists.
+  // At the end of the scene the next step is unlimited.
   const double planned = nextStep(c.w.clock), next = std::isfinite(planned) ? planned : c.w.clock.stepDt;
   recordSpringChanges(c.walls, c.t.walls.contacts, c.t.phaseChange.energy.springs,
                       {next, next / c.w.clock.substeps});

@@ -43,7 +43,8 @@ StepModule rigidPieces() {
           }};
 }
 
-/// Pieces of rigid materials. They change where particles melt, freeze or leave; their contacts are impulses.
+/// Pieces of rigid materials. Pieces change when particles melt, freeze or leave. Their contacts are
+/// impulses.
 StepModule rigidBodies() {
   return {"rigid materials",
           [](const World& w, const TermWork&) { return w.modules.rigid && !w.modules.rigidify; },
@@ -60,7 +61,7 @@ StepModule rigidBodies() {
                 linkPieces(view, c.halos, PieceUsers::AndGhosts);
               }
               if (c.w.modules.pieceWelding) weldPieces(view, c.halos);
-              // At the end of the scene no limit on the step exists.
+              // At the end of the scene the next step is unlimited.
               const double planned = nextStep(c.w.clock);
               touchAndBreak(view, c.halos, std::isfinite(planned) ? planned : c.w.clock.stepDt);
               c.t.times.lap(StepPhase::Contact);

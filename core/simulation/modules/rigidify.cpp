@@ -26,7 +26,7 @@ StepModule rigidParts() {
             }},
            {ModulePhase::CommonLimits,
             [](StepContext& c) {
-              c.t.rigid.changedHere = c.reduction.rigidity > 0;  // anywhere
+              c.t.rigid.changedHere = c.reduction.rigidity > 0;  // on any rank
             }},
            {ModulePhase::EndOfStep, [](StepContext& c) {
               if (!c.finite) return;

@@ -26,7 +26,7 @@ StepModule solidContact() {
         }},
        {ModulePhase::Limits,
         [](StepContext& c) {
-          // Particles that freeze may push from the next evaluation on.
+          // Particles that freeze may have contact forces from the next evaluation on.
           if (c.contactNear || (c.w.modules.rareContact && c.t.phaseChange.frozeAnywhere))
             c.reduction.lower(Limit::Contact, c.t.limits.longestContact);
         }},

@@ -48,7 +48,7 @@ std::vector<StepModule> stepModules() {
           elasticSolids(),
           solidSubsteps(),
           bodyForces(),
-          rigidParts(),  // after elasticSolids: it withdraws their step limits
+          rigidParts(),  // after elasticSolids, whose step limits it withdraws
           rigidPieces(),
           rigidBodies(),          // after melting, which sets meltedAnywhere
           energyOfPhaseChange(),  // after rigidBodies, whose pieces touch by impulses
@@ -62,7 +62,7 @@ std::vector<StepModule> stepModules() {
 
 namespace {
 
-/// Adds the active columns that the list lacks.
+/// Adds the active columns that are not in the list.
 void addActive(std::span<AnyColumn* const> columns, ColumnList& list) {
   for (AnyColumn* column : columns) {
     const std::span<AnyColumn* const> present = list;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Modules of the step, with their calls in its phases. A scene without a module has none of its calls.
+// Modules of the step, with their calls in the phases of a step. A scene without a module makes none of its
+// calls.
 #pragma once
 #include <string_view>
 #include <vector>
@@ -18,15 +19,16 @@ struct ModuleCall {
 
 struct StepModule {
   std::string_view name;
-  bool (*isOn)(const World&, const TermWork&);  ///< in a prepared world; constant over a run
+  bool (*isOn)(const World&, const TermWork&);  ///< requires a prepared world; constant over a run
   std::vector<ModuleCall> calls;                ///< at most one per phase
-  /// Columns that its sums read in ghosts, besides those of records (recordColumns), if they are active.
+  /// Ghost columns that its sums read, in addition to those of records (recordColumns). Inactive columns are
+  /// ignored.
   GhostColumns (*ghosts)(Continuum&) = [](Continuum&) { return GhostColumns{}; };
   /// Sets constants of the run, once, in a world with shapes, walls, liquids and active fields.
   void (*prepare)(World&, StepTools&) = [](World&, StepTools&) {};
 };
 
-// In the order of stepModules().
+// The functions are in the order of stepModules().
 StepModule explicitForces();
 StepModule emitters();
 StepModule outsideLoads();
@@ -79,7 +81,7 @@ StepModule surfaceMotion();
 /// Returns all modules. In each phase they are called in this order.
 std::vector<StepModule> stepModules();
 
-/// Returns the calls and ghosts of the modules that the scene has. Requires: active fields.
+/// Returns the calls and ghost columns of the scene's modules. Requires: active fields.
 StepPhases phasesOf(World& world, const TermWork& terms);
 
 /// Calls `prepare` of the modules that the scene has. Requires: as phasesOf.

@@ -49,7 +49,8 @@ void recordLoads(StepContext& c, HalfKick kick) {
 
 }  // namespace
 
-/// Always on: a program may add loads during a run (Simulation::addForce), and a checkpoint may have some.
+/// This module is always on, since a program may add loads during a run (Simulation::addForce), and a
+/// checkpoint may contain loads.
 StepModule outsideLoads() {
   return {"loads from outside",
           [](const World&, const TermWork&) { return true; },

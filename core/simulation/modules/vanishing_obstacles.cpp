@@ -6,7 +6,7 @@
 
 namespace thaw {
 
-/// Energy of obstacles with an end (Obstacle::until).
+/// Energy of obstacles that vanish at a given time (Obstacle::until).
 StepModule vanishingObstacles() {
   return {"obstacles that vanish",
           [](const World& w, const TermWork&) {

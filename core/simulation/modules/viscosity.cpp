@@ -10,7 +10,7 @@
 namespace thaw {
 namespace {
 
-/// Computes viscous forces of the implicit solver, after all others.
+/// Computes the viscous forces of the implicit solver. Requires: all other forces.
 void solveViscosity(World& w, Halos halos, StepTools& t, const WallContext& walls) {
   std::optional<PieceJoint> joint = jointOfPieces(w, halos, t.rigid);
   addImplicitViscosity({w.neighbours, *t.sums.kernels, t.sums.ghostRoom, t.walls.contacts, t.viscous, t.times,
@@ -18,13 +18,13 @@ void solveViscosity(World& w, Halos halos, StepTools& t, const WallContext& wall
                        halos, pairSumsOf(w, t.sums), walls);
 }
 
-/// Returns true in steps that renew Continuum::viscosityCorrection.
+/// Returns true in steps that update Continuum::viscosityCorrection.
 bool viscosityCorrectionDue(const Modules& modules, const Clock& clock) {
-  constexpr std::int64_t everySteps = 8;  // explicit steps are much shorter than the flow takes for a spacing
+  constexpr std::int64_t everySteps = 8;  // in an explicit step the flow moves by much less than a spacing
   return modules.viscosityCorrection && (modules.implicitViscosity || clock.step % everySteps == 0);
 }
 
-/// Finds WallWork::shares, which no-slip walls have, of all owned rows. support: m.
+/// Computes WallWork::shares of no-slip walls for all owned rows. support: m.
 void findWallShares(const Walls& walls, double support, std::size_t owned, WallWork& work) {
   work.shares.assign(owned, {});
   for (const WallContact& c : work.contacts.list) {
@@ -35,7 +35,7 @@ void findWallShares(const Walls& walls, double support, std::size_t owned, WallW
   }
 }
 
-/// Renews Continuum::viscosityCorrection for the next step. Requires: the records of this step.
+/// Updates Continuum::viscosityCorrection for the next step. Requires: the records of this step.
 void correctViscosity(World& w, const PairSumWork& work, WallWork& walls) {
   PairSums s = pairSumsOf(w, work);
   if (!walls.contacts.list.empty()) {
@@ -60,7 +60,7 @@ StepModule viscosityCorrection() {
           [](const World& w, const TermWork&) { return w.modules.viscosityCorrection; },
           {{ModulePhase::AllForces,
             [](StepContext& c) {
-              // For the next step.
+              // Used in the next step.
               if (viscosityCorrectionDue(c.w.modules, c.w.clock)) correctViscosity(c.w, c.t.sums, c.t.walls);
             }}},
           [](Continuum& p) {

@@ -45,7 +45,8 @@ FailingParticle findFailingParticle(const World& w, Failure failure, Limit limit
   }
   s.value = most;
   all.maximum({&s.value, 1});
-  // Ids have up to 56 bits, a double 53: compare the upper half first, then the lower half.
+  // Ids have up to 56 bits, but a double has only 53. The upper half is thus compared first, then the lower
+  // half.
   s.here = s.here && most == s.value;
   for (const int shift : {32, 0}) {
     const double half = s.here ? -static_cast<double>(p.id[s.row] >> shift & 0xffffffffu) : -never;

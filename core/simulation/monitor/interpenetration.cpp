@@ -10,8 +10,9 @@
 namespace thaw {
 namespace {
 
-constexpr double insideFraction = 0.7;  // fraction of the kernel
-constexpr double inObstacle = 0.25;  // spacings; thin surfaces penetrate as deep as the contact spring allows
+constexpr double insideFraction = 0.7;  // fraction of the kernel filled by solid
+constexpr double inObstacle = 0.25;     // spacings; thin surfaces penetrate by as much as the contact spring
+                                        // allows
 
 }  // namespace
 
@@ -19,7 +20,7 @@ std::vector<Interpenetration> findInterpenetrations(World& w, Halos halos) {
   const std::size_t bodies = w.scene.bodies.size();
   Continuum& p = w.particles;
   const Oriented& o = w.oriented.rows;
-  refresh(halos.cells, p, ColumnList{&p.phase}).wait();  // the phase may have changed since
+  refresh(halos.cells, p, ColumnList{&p.phase}).wait();  // the phase may have changed since the last exchange
   const double s = w.scene.spacing;
   std::vector<std::int64_t> count(w.scene.oriented.size() * bodies, 0);
   std::vector<double> full(bodies);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Detection of interpenetration: oriented particles that have passed into an obstacle or a solid, where
-// contact no longer holds them on one side.
+// Detection of interpenetration: oriented particles that have passed into an obstacle or a solid, so that
+// contact no longer keeps them on one side.
 #pragma once
 #include "core/halo/halos.hpp"
 #include "core/simulation/world/world.hpp"
@@ -14,14 +14,14 @@ struct Interpenetration {
 };
 
 /// Returns the oriented particles that are as deep in a solid as its outermost particles. Solid particles of
-/// one body then fill more than 0.7 of the kernel around them (0.5 at its surface, at most 0.3 where contact
-/// holds). Also counts particles of a surface that a solid passes through. The same on any number of ranks.
-/// Requires: a world between two steps, with the ghosts of the last one; it refreshes their phase.
-/// Collective.
+/// one body then fill more than 0.7 of the kernel around the oriented particle. The value is 0.5 at the
+/// surface of the body, and at most 0.3 in regular contact. Also counts particles of a surface that a solid
+/// passes through. The same on any number of ranks. Requires: a world between two steps, with the ghosts of
+/// the last step. The phase of ghosts is refreshed. Collective.
 std::vector<Interpenetration> findInterpenetrations(World& world, Halos halos);
 
-/// Returns free oriented particles more than a quarter of their spacing inside an obstacle (`body`: its wall
-/// number), drawn into it or initially there. Collective.
+/// Returns free oriented particles more than a quarter of their spacing inside an obstacle. `body` is the
+/// wall number of the obstacle. Particles that started inside are included. Collective.
 std::vector<Interpenetration> findObstacleInterpenetrations(const OrientedBodies& oriented,
                                                             const Walls& walls, const Scene& scene,
                                                             Reducer& all);

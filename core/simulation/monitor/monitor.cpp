@@ -22,7 +22,8 @@ bool recovers(const Material& m) {
   return boundLaw(m).law->resistsInversion;
 }
 
-/// Returns the step (s) of the clock without backoff; half of an unlimited step would be unlimited.
+/// Returns the step (s) of the clock without backoff. For an unlimited step it is the longest finite step,
+/// since half of an unlimited step would be unlimited.
 double fullStep(const Clock& c, double factor) {
   return c.dt < never ? c.dt / factor : longestUnlimitedStep(c);
 }
@@ -30,7 +31,7 @@ double fullStep(const Clock& c, double factor) {
 /// Returns the number of active halvings after one more failure.
 std::int64_t nextBackoff(const MonitorState& failed, const Clock& c) {
   std::int64_t h = std::min(failed.backoff + 1, mostBackoff);
-  // If frames shorten the step, halving a longer one would change nothing.
+  // If frames shorten the step, backoff from a longer step would have no effect.
   while (c.every > 0 && h < mostBackoff && std::ldexp(failed.fullStep, 1 - static_cast<int>(h)) > c.every)
     h++;
   return h;
@@ -62,7 +63,7 @@ MonitorLimits monitorLimits(const Scene& s, const Modules& modules,
   if (modules.flowLaw && !modules.implicitViscosity)
     for (std::size_t k = 0; k < s.materials.size(); k++)
       if (hasFlowLaw(s.materials[k])) longest = std::min(longest, flowLawStepLimit(s, s.materials[k]));
-  // The expected speed also limits the step, most of all where materials limit only heat.
+  // The expected speed also limits the step. This matters above all if materials limit only heat.
   if (longest < never && b.expected > 0)
     longest = std::min(longest, supportsPerStep * n.support * s.spacing / b.expected);
   b.step = longest < never ? n.watchStep * longest : n.watchStep * 1e-5 * s.end;
@@ -100,7 +101,7 @@ Failure checkEnergyBudget(const World& w, const MonitorLimits& b, const LedgerRe
       !(budget.energyResidual - w.monitor.residual <=
         b.energy * std::max({w.monitor.scale, std::abs(budget.wallWork), expected, budget.energyRounding})))
     return Failure::Energy;
-  // Slow growth is never half of anything between snapshots.
+  // Detects slow growth, which stays below the relative limit between two snapshots.
   const double largest = std::max(
       {w.monitor.largest, budget.energyScale, 0.01 * expected, budget.energyRounding});
   if (b.energy < never && budget.energyResidual > b.energy * largest &&
@@ -132,7 +133,7 @@ void acceptState(MonitorState& s, const Clock& clock, const LedgerReport& budget
   if (++s.snapshotsSinceChange < s.requiredSnapshots || clock.time < s.passed) return;
   s.snapshotsSinceChange = 0;
   if (s.backoff == 0) {
-    s.requiredSnapshots /= 2;  // an old failure must not prolong the next one
+    s.requiredSnapshots /= 2;  // an old failure must not prolong the backoff of the next failure
     return;
   }
   s.backoff--;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stability monitor. In every step it checks values that the time-step reduction provides anyway; at every
-// snapshot (snapshot.hpp) also the energy budget and inverted solids.
+// Stability monitor. In every step it checks values that the time-step reduction provides. At every snapshot
+// (snapshot.hpp) it also checks the energy budget and inverted solids.
 #pragma once
 #include <cstdint>
 
@@ -13,16 +13,16 @@
 namespace thaw {
 
 /// Computes the limits. The speed limit is Numerics::watchSpeed times the sum of the expected speed and a
-/// tenth of the fastest wave speed: motion released from stress is slower.
+/// tenth of the fastest wave speed. Motion that is driven by released stress is slower than the latter.
 MonitorLimits monitorLimits(const Scene& scene, const Modules& modules,
                             const std::vector<LiquidMaterial>& liquids, const StepLimits& materials);
 
 /// Returns the largest relative density of this rank's liquid particles.
 double largestRelativeDensity(const Continuum& particles);
 
-/// Checks reduced values after the time-step reduction. limits: of all ranks, before Numerics::fixedStep and
-/// MonitorState::factor; relativeDensity: largest relative density of all ranks. The result is equal on all
-/// ranks.
+/// Checks reduced values after the time-step reduction. limits: s, of all ranks, before Numerics::fixedStep
+/// and MonitorState::factor are applied. relativeDensity: largest relative density of all ranks. The result
+/// is the same on all ranks.
 Failure failureOf(const World& world, const MonitorLimits& bounds, const StepLimits& limits,
                   double relativeDensity);
 
@@ -34,7 +34,8 @@ Failure failureOf(const World& world, const MonitorLimits& bounds, const StepLim
 /// kinetic energy at a tenth of the expected speed.
 /// - Inverted: the fraction of solid particles with det F <= 0 and without a restoring force. Green strain
 /// without volume force has none.
-/// Energy losses do not count: they make no run unstable and are in the ledger's residual. Collective.
+/// Energy losses do not count. They do not make a run unstable, and appear in the ledger's residual.
+/// Collective.
 Failure checkEnergyBudget(const World& world, const MonitorLimits& bounds, const LedgerReport& budget,
                           Reducer& all);
 
@@ -45,16 +46,16 @@ double nextFactor(const MonitorState& monitor);
 /// and past the time MonitorState::passed, the step doubles and the number of counted failures decreases.
 void acceptState(MonitorState& monitor, const Clock& clock, const LedgerReport& budget);
 
-/// Returns true if a failed run may retry with half the step: not after Numerics::retries, and not with a
-/// step below MonitorLimits::step.
+/// Returns true if a failed run may retry with half the step. It may not after Numerics::retries retries, or
+/// if the step would be below MonitorLimits::step.
 bool mayRetry(const Numerics& numerics, const MonitorState& monitor, const Clock& clock,
               const MonitorLimits& bounds);
 /// Returns true if half the step is below MonitorLimits::step.
 bool retryTooShort(const MonitorState& monitor, const Clock& clock, const MonitorLimits& bounds);
 
-/// Halves the step after a rollback. failed: monitor state of the failed run; failedAt: its time (s). The
-/// step is counted from the time between frames if that is shorter. The failure counts as passed
-/// Numerics::retryEvery full steps after that time.
+/// Halves the step after a rollback. failed: monitor state of the failed run; failedAt: its time (s). If the
+/// interval between frames is shorter than the step, the interval is halved instead. The failure counts as
+/// passed Numerics::retryEvery full steps after failedAt.
 void halveStep(MonitorState& monitor, Clock& clock, const Scene& scene, const MonitorState& failed,
                double failedAt);
 

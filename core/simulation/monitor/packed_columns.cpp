@@ -8,11 +8,11 @@
 namespace thaw {
 namespace {
 
-constexpr std::size_t slack = sizeof(std::uint64_t);  // words are stored and read whole, whatever part of
-                                                      // them is used
+constexpr std::size_t slack = sizeof(std::uint64_t);  // extra bytes, since whole words are stored and read
+                                                      // even if only a part is used
 
-/// Storage of the words of one component in a block: bytes [low, low + width) of each; the others are equal
-/// to those of `common`.
+/// Storage of the words of one component in a block. Bytes [low, low + width) of each word are stored. The
+/// other bytes equal those of `common`.
 struct WordShape {
   std::uint64_t common;
   std::uint8_t low, width;
@@ -35,8 +35,8 @@ template<class Word> WordShape shapeOf(const std::byte* from, std::size_t stride
 template<class Word>
 void packWords(const std::byte* from, std::size_t stride, std::size_t rows, const WordShape& s,
                std::byte* to) {
-  for (std::size_t r = 0; r < rows; r++, to += s.width) {  // each word overwrites the excess of the one
-                                                           // before
+  for (std::size_t r = 0; r < rows; r++, to += s.width) {  // each word overwrites the excess bytes of the
+                                                           // previous word
     Word word;
     std::memcpy(&word, from + r * stride, sizeof word);
     const std::uint64_t kept = std::uint64_t{word} >> (8 * s.low);
@@ -83,7 +83,8 @@ template<class Word> void packColumn(const AnyColumn& c, std::size_t rows, Packe
       bytes += shapeBytes + shapes.back().width * rowsOf(b);
     }
   }
-  if (bytes + slack > p.bytes.capacity()) {  // the old memory is freed first, so that both never coexist
+  if (bytes + slack > p.bytes.capacity()) {  // the old memory is freed first, so that old and new memory
+                                             // never coexist
     p.bytes = {};
     p.bytes.reserve(bytes + bytes / 64 + slack);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lossless compression of columns: for each block of rows, bytes common to all its words are stored once.
-// Rows are sorted by cell, so ids and positions of a block share high bytes. Mass, material and ledger
-// columns are mostly constant.
+// Lossless compression of columns. For each block of rows, bytes common to all words are stored once. Rows
+// are sorted by cell, so ids and positions of a block share high bytes. Mass, material and ledger columns are
+// mostly constant.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +19,7 @@ struct PackedColumn {
 
 constexpr std::size_t packedBlock = 1024;  // rows
 
-/// Keep::State columns of the first `rows` rows of a table. Other and inactive columns are absent.
+/// Keep::State columns of the first `rows` rows of a table. Other columns and inactive columns are omitted.
 struct PackedTable {
   std::size_t rows = 0;
   std::vector<PackedColumn> columns;  ///< in the order of Table::columns
@@ -34,7 +34,7 @@ void packState(const Table& table, PackedTable& packed);
 void unpackRows(const PackedTable& packed, const AnyColumn& like, std::size_t c, std::size_t first,
                 std::size_t count, std::byte* to);
 
-/// Unpacks everything into a table without rows that lists the same columns; it then has packed.rows owned
+/// Unpacks everything into an empty table that lists the same columns. The table then has packed.rows owned
 /// rows.
 void unpackState(const PackedTable& packed, Table& table);
 

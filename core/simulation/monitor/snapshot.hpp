@@ -11,17 +11,17 @@
 namespace thaw {
 
 struct WorldSnapshot {
-  World world;  ///< only the parts that takeSnapshot fills; of particles just their number and solids
+  World world;  ///< only the parts that takeSnapshot fills; of the particles, only their number and their
+                ///< solids
   PackedTable particles;  ///< State columns of particles: most of the memory for a fluid
 };
 
-/// Stores the State columns of particles (and their solids) and solids, bonds, surface, clock, ledger,
-/// counters and monitor state: enough for a checkpoint. Requires: a world between two steps. Memory is
-/// reused.
+/// Stores the data of a checkpoint: State columns of particles and solids, bonds, surface, clock, ledger,
+/// counters and monitor state. Memory is reused. Requires: a world between two steps.
 void takeSnapshot(const World& world, WorldSnapshot& kept);
 
-/// Empties particles, solids, bonds and surface, and their data in tools, so that a state can be restored as
-/// after a restart, with new halos.
+/// Empties particles, solids, bonds and surface, and their data in tools. A state can then be restored as in
+/// a restart, with new halos.
 void emptyWorld(World& world, StepTools& tools);
 
 /// Restores a snapshot into a world that emptyWorld has emptied. Returns records of the solids for the new

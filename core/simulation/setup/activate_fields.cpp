@@ -96,17 +96,17 @@ void activateFields(World& w, const TermWork& terms, ElasticWork& elastic) {
   turnOn(p, m.bodyContact, {&p.contactDepth, &p.contactRest, &p.contactShear, &p.bodyContact});
   if (m.rigid) activatePieceFields(m, p, w.pieces);
   turnOn(p, m.sleep, {&p.restTime, &p.sleep, &p.constraintForce});
-  if (m.sleep)  // values of skipped rows persist and move with their rows
+  if (m.sleep)  // values of skipped rows persist and move with the rows
     for (AnyColumn* c : std::initializer_list<AnyColumn*>{&p.relativeDensity, &p.freeSurfaceIndicator,
                                                           &p.exposedArea, &p.contactNormal})
       c->keep = Keep::Local;
   bool clamped = m.emitters;
   for (const Body& b : w.scene.bodies) clamped = clamped || !b.clamp.empty();
   turnOn(p, clamped, {&p.clamped});
-  p.nextCell.shareWith(p.dissipation);  // valid from the drift to the sort; dissipation is then summed anew
-                                        // until the kick
+  p.nextCell.shareWith(p.dissipation);  // nextCell is valid from the drift to the sort; afterwards
+                                        // dissipation is summed until the kick
   // Contacts with sheets and oriented bodies read the last acceleration during force sums. For clamped and
-  // sleeping particles it does not follow from the force.
+  // sleeping particles, the acceleration does not follow from the force.
   if (clamped || m.sheet || m.orientedContact || m.sleep) turnOn(p, true, {&p.force});
   else p.force.shareWith(p.acceleration);
   activateBodyTypes(w);

@@ -15,7 +15,7 @@ const Extension& extensionOf(const std::string& name) {
   return *e;
 }
 
-/// Adds an extension to the list of active modules and their reasons, unless the list has it.
+/// Adds an extension to the list of active modules and their reasons, unless it is already listed.
 void describe(Modules& modules, const Extension& e) {
   const std::string line = "extension '" + e.name + "': " + e.about;
   std::vector<std::string>& why = modules.why;
@@ -74,7 +74,7 @@ void addExtensions(World& w, TermWork& terms, StepLimits& limits) {
     if (e.stepLimit) lower(limits, e.stepLimit(settings));
     if (e.pairForce.kernels.sum) addPairForce(w, terms, limits, e, settings);
   }
-  static const ExtensionSettings none;  // keys of terms are members of the scene
+  static const ExtensionSettings none;  // terms have no settings, since their keys are members of the scene
   for (const Extension* term : modelTerms())
     if (term->pairForce.kernels.sum && isUsed(*term, w.scene, w.modules))
       addPairForce(w, terms, limits, *term, none);

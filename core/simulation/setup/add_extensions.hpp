@@ -13,9 +13,9 @@ namespace thaw {
 void startTerms(const Scene& scene, const Modules& modules, TermWork& terms, const MeshLoader& load,
                 SceneProblems& problems);
 
-/// Adds loads, pair forces, fields and their updates, and step limits of the scene's extensions, and pair
-/// forces of the library that it uses. Throws std::runtime_error for an extension that is not
-/// registered, and for a pair force that the scene excludes.
+/// Adds loads, pair forces, fields and their updates, and step limits of the scene's extensions. Also adds
+/// pair forces of the library that the scene uses. Throws std::runtime_error for an unregistered extension,
+/// and for a pair force that the scene excludes.
 void addExtensions(World& world, TermWork& terms, StepLimits& limits);
 
 }  // namespace thaw

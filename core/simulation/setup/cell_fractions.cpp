@@ -9,7 +9,8 @@ namespace {
 
 constexpr int across = 4;  // samples per edge
 constexpr double halfDiagonal = 0.8661;
-constexpr double rounding = 1e-6;  // spacings; equal distances are recognised for any position of the body
+constexpr double rounding = 1e-6;  // spacings; tolerance of equal distances, independent of the body's
+                                   // position
 
 /// A cell by its lattice position.
 struct Cell {
@@ -41,8 +42,8 @@ class CellFractions {
   };
   const SignedDistance& shape_;
   const SampleLattice& l_;
-  std::unordered_map<std::int64_t, std::vector<Piece>> pieces_;  // by cell without particle: owners of its
-                                                                 // parts
+  std::unordered_map<std::int64_t, std::vector<Piece>> pieces_;  // by cell without a particle: the
+                                                                 // particles that own its parts
 
   std::int64_t numberOf(const Cell& c) const {
     return c.at[0] + l_.count[0] * (c.at[1] + l_.count[1] * c.at[2]);
@@ -53,7 +54,7 @@ class CellFractions {
   Vec3d middle(const Cell& c) const { return l_.at(c.at[0], c.at[1], c.at[2]); }
   bool isInside(const Cell& c) const { return shape_.distanceWithin(middle(c), l_.spacing) < 0; }
 
-  /// Visits those of the 26 surrounding cells that are in the lattice, which covers the body.
+  /// Visits the surrounding cells (up to 26) that are in the lattice. The lattice covers the body.
   template<class F> void forAround(const Cell& c, const F& f) const {
     for (std::int64_t z = -1; z <= 1; z++)
       for (std::int64_t y = -1; y <= 1; y++)

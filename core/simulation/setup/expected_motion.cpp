@@ -12,7 +12,7 @@ namespace {
 
 bool turnsOrStrains(const Body& b) { return b.velocityField.given() || !(b.spin == Vec3d{}); }
 
-/// Returns `count` of the numbers 0 to points - 1, evenly spaced, both ends included.
+/// Returns `count` evenly spaced numbers from 0 to points - 1, both ends included.
 std::vector<std::int64_t> evenly(std::int64_t points, std::int64_t count) {
   std::vector<std::int64_t> chosen;
   const std::int64_t n = std::min(points, count);
@@ -98,7 +98,8 @@ Heights heightsOf(const Domain& d, const Vec3d& up) {
   return h;
 }
 
-/// An emitter that does not point down can fill a vessel from below, up to the top of the domain.
+/// Adds the motion of emitters. An emitter that does not point down can fill a vessel from below, up to the
+/// top of the domain.
 void addEmitters(const Scene& s, const Vec3d& up, const std::vector<EmitterPlan>& plans, ExpectedMotion& m) {
   const Heights domain = heightsOf(s.domain, up);
   for (std::size_t e = 0; e < s.emitters.size(); e++) {
@@ -117,7 +118,7 @@ Vec3d withinDomain(const Domain& d, Vec3d x) {
   return x;
 }
 
-/// Corners of the obstacle's box at rest; those of the domain along infinite axes.
+/// Returns the corners of the obstacle's box at rest. Along infinite axes, the bounds of the domain are used.
 std::vector<Vec3d> cornersOf(const Bounds& b, const Domain& d) {
   std::vector<Vec3d> corners;
   for (int c = 0; c < 8; c++) {

@@ -10,9 +10,9 @@
 
 namespace thaw {
 
-/// The same on any number of ranks, and after a restart. Rotating bodies and bodies with fields are sampled
-/// on their lattice, at up to 33 points per axis. Moving obstacles are sampled at the corners of their
-/// bounding box, within the domain.
+/// Returns the expected motion. It is the same on any number of ranks, and after a restart. Rotating bodies
+/// and bodies with fields are sampled on their lattice, at up to 33 points per axis. Moving obstacles are
+/// sampled at the corners of their bounding box, within the domain.
 ExpectedMotion expectedMotion(const Scene& scene,
                               const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
                               const Walls& walls, const std::vector<EmitterPlan>& emitters);

@@ -14,8 +14,8 @@ bool hasInitialFill(const Scene& scene, std::size_t b);
 bool anyInitialFill(const Scene& scene);
 
 /// Converts initialFill from 64ths of a cell (cellFractions) to fractions of the body's mean. parts: sum of
-/// 64ths by body; particles: their number. The result is clamped to the range of a cut cell: thin bodies have
-/// few points, which may hold the rest.
+/// 64ths by body; particles: their number. The result is clamped to the range of a cut cell, since the few
+/// points of a thin body may contain more.
 void normaliseInitialFill(const Scene& scene, Continuum& p, std::span<const std::int64_t> parts,
                           std::span<const std::int64_t> particles);
 

@@ -13,7 +13,8 @@
 namespace thaw {
 namespace {
 
-/// Cause of a periodic domain that is too thin, with the thinnest slab in spacings if known.
+/// Returns the reason for which a periodic domain is too thin, with the thinnest possible slab in spacings if
+/// known.
 std::string slabAdvice(double reach, double spacing) {
   const std::string farthest =
       "three times the largest interaction range (`numerics.support`; for surfels "
@@ -56,7 +57,7 @@ CellGrid makeGrid(const Domain& d, double support, double least, double spacing)
       g.edge[a] = extent / g.cells[a];
       g.origin[a] = d.min[a];
       g.period[a] = extent;
-    } else {  // one margin cell, for particles pressed into a wall
+    } else {  // with a margin of one cell, for particles pressed into a wall
       g.edge[a] = cell;
       g.cells[a] = static_cast<int>(std::ceil(extent / cell)) + 2;
       g.origin[a] = d.min[a] - cell;

@@ -9,7 +9,7 @@
 namespace thaw {
 namespace {
 
-/// Modules for the packing of bodies, independent of the scene's.
+/// Returns the modules for the packing of bodies, independent of the scene's modules.
 Modules packingModules(Modules m) {
   m.fluid = m.neighbours = true;
   m.heat = m.melting = m.uniform = false;

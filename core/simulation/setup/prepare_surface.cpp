@@ -14,9 +14,9 @@ void prepareSurface(World& w) {
   s.spacing = surfelSpacing(w.scene);
   s.surfelSupport = set.support * s.spacing;
   s.particleSupport = set.particleSupport * w.grid.support;
-  // Neighbourhoods of owned particles and surfels must lie in the adjacent cells. This includes up to three
-  // spacings and a disc in the search for exposed particles. Within a round of iterations, a surfel may move
-  // half a particle spacing before the next sort.
+  // Neighbourhoods of owned particles and surfels must lie in the adjacent cells. The search for exposed
+  // particles needs up to three spacings and a disc. Within a round of iterations, a surfel may move by half
+  // a particle spacing before the next sort.
   s.grid = makeGrid(w.scene.domain,
                     std::max(s.surfelSupport + listMargin(s, w.scene.spacing),
                              std::max({s.surfelSupport, s.particleSupport, 3 * s.spacing,
@@ -55,7 +55,7 @@ void activateSurfaceFields(Surface& s, const Modules& m, bool walls) {
            &p.id, &p.position, &p.displacement, &p.component, &p.volume, &p.volumeRatio, &p.mass, &p.body,
            &p.source, &p.cell, &p.nextCell, &p.gradient, &p.colour, &p.smoothColour, &p.part})
     p.activate(*c);
-  // Otherwise the surface is only carried along.
+  // Otherwise the surface only moves with its particles.
   if (m.melting || m.fluid) {
     f.activate(f.liquid);
     p.activate(p.liquid);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prepares a scene's surface without surfels.
+// Preparation of a scene's surface, before it has surfels.
 #pragma once
 #include "core/simulation/world/world.hpp"
 

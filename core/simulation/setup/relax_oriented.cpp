@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// FIRE (B06): dynamics whose velocity is turned toward the
-// force, and reset when the power is negative.
+// FIRE (B06): dynamics in which velocities are turned towards the forces, and reset when the power is
+// negative.
 #include "core/simulation/setup/relax_oriented.hpp"
 
 #include <algorithm>
@@ -49,7 +49,7 @@ Sums sumsOf(const Oriented& o, const std::vector<Vec3d>& f, const std::vector<Ve
 struct RelaxationPlan {
   std::int64_t iterations = 0;
   bool grows = false;         ///< with births and deaths
-  bool interpolates = false;  ///< some body follows its interpolant
+  bool interpolates = false;  ///< a body follows its interpolant
 };
 
 std::int64_t iterationsOf(const OrientedBody& b, const OrientedWork& work) {
@@ -101,7 +101,7 @@ void findForces(const OrientedView& view, bool interpolates, RelaxationForces& f
   if (interpolates) addInterpolantForces(o, view.work, view.scene, found.force, found.torque);
 }
 
-/// Largest values on all ranks.
+/// Largest values over all ranks.
 struct Residual {
   double force;      ///< 1, over stiffness times spacing
   double stiffness;  ///< 1/s^2
@@ -126,11 +126,11 @@ Residual findResidual(const OrientedView& view, const RelaxationForces& f, std::
 /// Step control of FIRE.
 struct Fire {
   double mixing = 0.1;    ///< fraction of the velocity that turns toward the force
-  double stepFactor = 1;  ///< step over half the stable one
+  double stepFactor = 1;  ///< step divided by half the stable step
   int positive = 0;       ///< iterations since the power was negative
 
   double step(double stiffness) const {  // s
-    // the bound of the stiffness is conservative: FIRE adapts the step to it
+    // The bound of the stiffness is conservative, so FIRE adapts the step.
     return std::max(stepFactor, 0.05) * 0.5 / std::sqrt(stiffness);
   }
 };
@@ -203,8 +203,8 @@ std::int64_t relaxOriented(World& w, Halos halos, StepTools& t) {
     work.atRest = (residual.force < restForce && (!plan.grows || unchanged >= 3)) ||
                   !(residual.stiffness > 0);
     work.relaxStopped = !work.atRest && residual.stop;
-    // births and deaths may disturb the surface forever; with a constant population the force converges,
-    // however slowly
+    // Births and deaths may disturb the surface forever. With constant sampling the force converges, possibly
+    // slowly.
     work.relaxStalled = plan.grows && !work.atRest && !work.relaxStopped &&
                         !makesProgress(work.relaxProgress, done, residual.force, work.relaxing);
     if (work.atRest || work.relaxStopped || work.relaxStalled) break;

@@ -19,7 +19,8 @@ namespace thaw {
 namespace {
 
 constexpr int iterations = 30, densityRelaxationIterations = 200;
-constexpr double densityTolerance = 1e-4;  // excess of relative density: a pressure of 1e-4 rho c^2
+constexpr double densityTolerance = 1e-4;  // excess of relative density, which corresponds to a pressure of
+                                           // 1e-4 rho c^2
 
 /// Computes sums of grad W over all neighbours, as the pressure force of a liquid with unit pressure.
 void kernelGradients(World& w, Halos& halos, StepTools& t) {
@@ -38,7 +39,8 @@ void kernelGradients(World& w, Halos& halos, StepTools& t) {
   sumUnitPressure(w, t.liquids, t.sums);
 }
 
-/// By body: 1 if it is relaxed and none of its particles is within range of a wall, which would constrain it.
+/// Returns, by body, 1 if it is relaxed and none of its particles is within range of a wall, which would
+/// constrain the body.
 std::vector<std::uint8_t> freeBodies(const World& w, Halos& halos, const std::vector<std::uint8_t>& relaxed) {
   std::vector<double> atWall(w.scene.bodies.size(), 0.0);
   for (std::size_t i = 0; i < w.particles.owned; i++) {
@@ -58,11 +60,11 @@ std::vector<std::uint8_t> freeBodies(const World& w, Halos& halos, const std::ve
   return free;
 }
 
-/// Relaxes the density. After the iterations above some places have up to 3 % excess density. Lattice points
-/// of a shape may also have a percent more volume than the shape. Released without surroundings, the liquid
-/// would gain some thousandths of the sound speed from these pressures and swell permanently. Particles move
-/// along the negative gradient of the sum of squared excesses, out of their shape if necessary. Returns the
-/// number of iterations.
+/// Relaxes the density. After the iterations on kernel gradients, the density is locally up to 3 % too large.
+/// Lattice points of a shape may also have one per cent more volume than the shape. If released in free
+/// space, the liquid would gain some thousandths of the sound speed from these pressures and swell
+/// permanently. Particles move along the negative gradient of the sum of squared excesses, out of their shape
+/// if necessary. Returns the number of iterations.
 int relaxDensity(World& w, Halos& halos, StepTools& t, const std::vector<std::uint8_t>& moves) {
   Continuum& p = w.particles;
   const double dx = w.scene.spacing, slope = largestRelativeDensityGradient(w.scene.numerics) *
@@ -102,7 +104,7 @@ Vec3d imageIn(const CellGrid& g, const Vec3d& middle, Vec3d x) {
 
 int relaxPacking(World& w, Halos halos, StepTools& t,
                  const std::vector<std::shared_ptr<const SignedDistance>>& shapes) {
-  // By body; emitted particles belong to none.
+  // By body. Emitted particles belong to no body.
   std::vector<std::uint8_t> relaxed(std::numeric_limits<std::uint16_t>::max() + std::size_t{1}, 0);
   for (std::size_t b = 0; b < w.scene.bodies.size(); b++)
     relaxed[b] = w.scene.bodies[b].packing == Packing::Relaxed;
@@ -110,7 +112,8 @@ int relaxPacking(World& w, Halos halos, StepTools& t,
   Continuum& p = w.particles;
   std::vector<Vec3d> middle;
   for (const auto& s : shapes) middle.push_back(0.5 * (s->bounds().min + s->bounds().max));
-  const bool everywhere = liquidFillsTheBox(w.scene);  // particles that cross a side then return on the other
+  const bool everywhere = liquidFillsTheBox(w.scene);  // particles that cross a side then return on the
+                                                       // opposite side
   const double dx = w.scene.spacing, V = dx * dx * dx;
   for (int k = 0; k < iterations; k++) {
     kernelGradients(w, halos, t);

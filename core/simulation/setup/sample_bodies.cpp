@@ -20,8 +20,8 @@
 namespace thaw {
 namespace {
 
-/// Samples at wrong positions on this rank. The first one of each kind (by body) is kept as a number
-/// that can be reduced: a maximum of negated numbers, -never for none.
+/// Misplaced samples on this rank. The first sample of each type is stored as a number that can be reduced
+/// over ranks, by a maximum of negated numbers; -never: none.
 struct MisplacedSamples {
   explicit MisplacedSamples(std::size_t bodies) : outside(bodies) {}
   std::vector<Outside> outside;  // by body
@@ -33,7 +33,9 @@ constexpr std::size_t codes = 65536;
 /// x: position of a sample, wrapped into the domain.
 void checkSample(const Scene& scene, const Walls& walls, std::size_t body, const Vec3d& x,
                  MisplacedSamples& o) {
-  if (o.outside[body].look(scene.domain, x)) return;  // a wall side is an obstacle as well: report it once
+  if (o.outside[body].look(scene.domain, x))
+    return;  // a wall side is also an obstacle, so it is reported
+             // only once
   for (std::size_t k = 0; k < walls.list.size(); k++) {
     if (!holdsSample(walls.list[k], x, scene.spacing)) continue;
     o.inObstacles++;
@@ -42,8 +44,8 @@ void checkSample(const Scene& scene, const Walls& walls, std::size_t body, const
   }
 }
 
-/// Lattice of a body's particles, its centre, and the largest offset of points along each axis,
-/// in spacings.
+/// Lattice of a body's particles, the body's centre, and the largest offset of points along each axis, in
+/// spacings.
 struct BodyLattice {
   SampleLattice lattice;
   Vec3d centre;
@@ -62,8 +64,8 @@ void fillRows(World& w, std::size_t b, const BodyLattice& lattice, std::span<con
   const double dx = s.spacing;
   std::vector<std::shared_ptr<const SignedDistance>> clamps;
   for (const Shape& c : body.clamp) clamps.push_back(makeSignedDistance(c));
-  const auto inClamp = [&](const SignedDistance& c, Vec3d x) {  // at the position in the body, or wrapped
-                                                                // into the domain
+  const auto inClamp = [&](const SignedDistance& c, Vec3d x) {  // tests the position in the body, and the
+                                                                // position wrapped into the domain
     return c.inside(x) || (wrapPlace(w.grid, s.domain, x), c.inside(x));
   };
   for (std::size_t i = first; i < first + points.size(); i++) {
@@ -88,7 +90,7 @@ void fillRows(World& w, std::size_t b, const BodyLattice& lattice, std::span<con
   }
 }
 
-/// Counts of the samples by body: of this rank, and after reduceCounts of all ranks.
+/// Counts of the samples by body, for this rank. After reduceCounts they are for all ranks.
 struct SampleCounts {
   std::vector<std::int64_t> particles, clamped;
   std::vector<std::int64_t> filled;                ///< 64ths of cells (cellFractions)
@@ -112,7 +114,7 @@ struct Sampling {
   SampleCounts counts;
 };
 
-/// Returns this rank's points of a body's lattice that the overlap rule keeps.
+/// Returns this rank's points of a body's lattice that remain under the overlap rule.
 std::vector<std::int64_t> pointsInside(const World& w, std::size_t b, const SampleLattice& l,
                                        const SampleRange& range, Sampling& found) {
   const Scene& s = w.scene;
@@ -156,10 +158,11 @@ void sampleBody(World& w, std::size_t b, const Reducer& all, Sampling& found) {
   const Scene& s = w.scene;
   Continuum& p = w.particles;
   const SampleLattice l = bodyLattice(s, s.bodies[b], shape);
-  // Without a surface the jitter covers the whole cell: relaxation of less leads back to the lattice
-  // (benchmark taylor_green).
+  // Without a surface, the jitter covers the whole cell. From a smaller jitter, relaxation leads back to the
+  // lattice (benchmark taylor_green).
   const double jitter = s.bodies[b].packing != Packing::Relaxed ? 0 : liquidFillsTheBox(s) ? 0.5 : 0.2;
-  // points first, then their rows at once: columns that grow repeatedly get new pages each time
+  // Points are found first, and all their rows are added at once. Columns that grow repeatedly would get new
+  // pages each time.
   const std::vector<std::int64_t> points = pointsInside(w, b, l, sampleRange(l, all.rank(), all.size()),
                                                         found);
   const std::size_t first = p.owned;
@@ -242,7 +245,7 @@ void warnOfNarrowBodies(const Scene& s, const Shapes& shapes, std::vector<SceneW
                sizeHint(s, s.bodies[b].shape, shapes[b]->bounds())});
 }
 
-/// Sets the first body that lies in an obstacle.
+/// Reports the first body that lies in an obstacle.
 void reportMisplaced(const std::vector<Body>& bodies, const Walls& walls, const Sampling& found,
                      SamplingReport& report) {
   report.inObstacles = found.misplaced.inObstacles;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Particles of the start: samples of the bodies of a scene, and warnings about them.
+// Initial particles, sampled from the bodies of a scene, and warnings about them.
 #include <utility>
 
 #include "core/domain/emit.hpp"
@@ -49,7 +49,7 @@ std::string lineText(const SourcePlace& where) { return where.file + ":" + std::
 /// Shapes of bodies, by body.
 using BodyShapes = std::vector<std::shared_ptr<const SignedDistance>>;
 
-/// Adds bodies that overlap or lie outside, and emitters out of place.
+/// Reports overlapping bodies, bodies outside the domain, and misplaced emitters.
 void addMisplaced(const World& w, const std::vector<EmitterPlan>& emitters, const BodyShapes& shapes,
                   const SamplingReport& report, SceneProblems& problems) {
   if (w.scene.numerics.overlap == OverlapRule::Error)
@@ -80,7 +80,7 @@ void append(std::vector<SceneWarning>&& added, std::vector<SceneWarning>& warnin
   for (SceneWarning& warning : added) warnings.push_back(std::move(warning));
 }
 
-/// Adds repairs of the meshes of bodies.
+/// Adds notes on repairs of the meshes of bodies.
 void addBodyNotes(const Scene& scene, const BodyShapes& shapes, std::vector<SceneWarning>& warnings) {
   for (std::size_t b = 0; b < shapes.size(); b++) {
     std::vector<std::string> notes;
@@ -90,10 +90,10 @@ void addBodyNotes(const Scene& scene, const BodyShapes& shapes, std::vector<Scen
   }
 }
 
-/// Sorts the sampled particles and makes the first partition, by their number. Collective.
+/// Sorts the sampled particles and makes the first partition, by the number of particles. Collective.
 void partitionSampled(World& w, CellHalo& halo, RedistributionWork& work) {
   Continuum& p = w.particles;
-  // Jitter may cross a seam by rounding.
+  // By rounding, jitter may move a particle across a periodic side.
   for (std::size_t i = 0; i < p.owned; i++) wrapPlace(w.grid, w.scene.domain, p.position[i]);
   computeCellKeys(w.grid, p);
   Migration all;

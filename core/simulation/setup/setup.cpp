@@ -37,14 +37,14 @@ void evaluateNow(World& w, Halos halos, StepTools& t) {
       if (p.clamped[i]) p.acceleration[i] = {};
 }
 
-/// Prepares the first step as the end of a step prepares the next one.
+/// Prepares the first step in the same way as the end of a step prepares the next one.
 void prepareNextStep(World& w, Halos halos, StepTools& t) {
   StepContext c = stepContext(w, halos, t, 0);
   runPhase(ModulePhase::EndOfStep, c);
 }
 
-/// Adds `sign` times the stored energy of this rank, and the part that symplectic Euler has not yet
-/// delivered, to `to`.
+/// Adds `sign` times the stored energy (J) of this rank to `to`, including the part that symplectic Euler has
+/// not yet converted.
 void recordStored(World& w, StepTools& t, double sign, ExactSum& to) {
   const ExactBalance here = balanceHere(w);
   to.addProduct(here.elastic, sign);
@@ -52,13 +52,115 @@ void recordStored(World& w, StepTools& t, double sign, ExactSum& to) {
   if (w.modules.oriented) recordKickLag(orientedView(w, t), sign, w.clock.stepDt, to);
 }
 
-/// Frees the buffers of the first sorts, which cover all rows.
+/// Frees the buffers of the first sorts, since these covered all rows.
 void dropBuffersOfStart(Continuum& particles, SortBuffers& sort) {
   particles.shrink();
   sort = {};
   trimFreedMemory();
 }
 
+<<<<<<< HEAD
+=======
+/// Largest height of fall (m), from the highest point of bodies and emitters to the bottom of the domain.
+double fallHeightOf(const Scene& s, const std::vector<std::shared_ptr<const SignedDistance>>& shapes) {
+  const double g = length(s.domain.gravity);
+  if (g == 0) return 0;
+  const Vec3d up = s.domain.gravity * (-1 / g);
+  double top = -never, low = 0;
+  for (int a = 0; a < 3; a++) low += std::min(up[a] * s.domain.min[a], up[a] * s.domain.max[a]);
+  for (const auto& shape : shapes) {
+    const Bounds b = shape->bounds();
+    double height = 0;
+    for (int a = 0; a < 3; a++) height += std::max(up[a] * b.min[a], up[a] * b.max[a]);
+    top = std::max(top, height);
+  }
+  for (const Emitter& e : s.emitters) top = std::max(top, dot(up, e.centre));
+  return std::max(0.0, top - low);
+}
+
+/// Largest distance (m) at which something interacts with an obstacle.
+double reachOfWalls(const Scene& scene, const CellGrid& grid, const SheetBodies& sheets) {
+  double reach = std::max({grid.edge.x, grid.edge.y, grid.edge.z});
+  for (const SheetPlan& plan : sheets.plans) reach = std::max(reach, 2 * plan.thickness);
+  for (const OrientedBody& b : scene.oriented) reach = std::max(reach, 2 * b.thickness * spacingOf(scene, b));
+  return reach;
+}
+
+/// Adds the walls of obstacles and of the domain, and the shapes of bodies and terms. The thrown error lists
+/// all unreadable meshes and their locations in the scene.
+void makeShapes(World& w, ParticleSources& sources, TermWork& terms, const MeshLoader& load) {
+  SceneProblems problems;
+  for (const Obstacle& o : w.scene.obstacles) {
+    Wall wall;
+    wall.shape = makeSignedDistance(o.shape, load, "obstacle '" + o.name + "'", problems);
+    if (!wall.shape) continue;
+    wall.bounds = wall.shape->bounds();
+    wall.properties = o;
+    w.walls.list.push_back(std::move(wall));
+  }
+  addDomainWalls(w.scene.domain, w.walls);
+  std::vector<std::shared_ptr<const SignedDistance>> shapes;
+  for (const Body& b : w.scene.bodies)
+    shapes.push_back(makeSignedDistance(b.shape, load, "body '" + b.name + "'", problems));
+  startTerms(w.scene, w.modules, terms, load, problems);
+  problems.raise();
+  sources.shapes = std::move(shapes);
+}
+
+/// Sets the liquids, the contacts of body types with them, and the limits of the step.
+void planLiquidsAndLimits(World& w, StepTools& t) {
+  t.liquids = liquidMaterials(w.scene);
+  if (w.modules.sheet) planParticleContact(w.scene, t.liquids, w.sheets.plans);
+  if (w.modules.oriented) t.oriented.obstacles = planObstacleContact(w.scene);
+  if (w.modules.orientedContact) t.oriented.contacts = planOrientedContact(w.scene, t.liquids);
+  t.limits.fixed = materialLimits(w.scene, w.modules, t.liquids);
+  addExtensions(w, t.terms, t.limits.fixed);
+  if (w.modules.substeps && (!w.modules.contact || w.modules.rareContact))
+    std::swap(t.limits.longestContact, t.limits.fixed[Limit::Contact]);
+  t.limits.monitor = monitorLimits(w.scene, w.modules, t.liquids, t.limits.fixed);
+}
+
+/// Returns the constants of pair sums. support: m.
+SumScales sumScales(const Scene& s, const Modules& modules, double support) {
+  const Numerics& n = s.numerics;
+  SumScales scales;
+  if (modules.fluid) scales.viscousWeight = viscousWeight(n);
+  scales.conductionScale = conductionScale(n);
+  const bool plain = n.density == DensityForm::Plain || n.pressure == PairForm::Printed;
+  scales.inverseLatticeSum = 1 / (plain ? latticeSum(n) : latticeGradient(n));
+  const double cellsInSupport = std::pow(support / s.spacing, 3);
+  scales.selfExcess = (latticeSum(n) * scales.inverseLatticeSum - 1) * cellsInSupport;
+  scales.relativeDensityScale = scales.inverseLatticeSum / (support * support * support);
+  return scales;
+}
+
+/// Sets the constants of the pressure solver.
+void planPressure(const Scene& s, const std::vector<LiquidMaterial>& liquids, double inverseLatticeSum,
+                  PressureWork& work) {
+  const Numerics& n = s.numerics;
+  double sound = 0;  // proportional to the expected speed
+  for (const LiquidMaterial& l : liquids) sound = std::max(sound, l.soundSpeed);
+  work.targetRelativeDensity = 1 + (slidingLatticeSum(n) - latticeSum(n)) * inverseLatticeSum;
+  work.closed = liquidFillsTheBox(s) || n.buoyancy == Buoyancy::Boussinesq;
+  if (work.closed) work.targetRelativeDensity += flowDensityExcess;
+  work.relaxation = 0.9 / largestPressureResponse(n);
+  work.correctionTime = s.spacing / (sound * std::sqrt(n.maxDensityError));
+}
+
+/// Sets the constants of sums over pairs, walls and free surfaces.
+void setScales(const World& w, StepTools& t) {
+  const Numerics& n = w.scene.numerics;
+  const Modules& m = w.modules;
+  t.sums.scales = sumScales(w.scene, m, w.grid.support);
+  t.walls.tables = makeWallTables(n);
+  if (m.fluid) t.limits.stableViscousStep = stableViscousStep(n);
+  if (m.uniform && m.artificialViscosity) t.sums.artificialViscosity = t.liquids[0].artificial;
+  if (m.incompressible) planPressure(w.scene, t.liquids, t.sums.scales.inverseLatticeSum, t.pressure);
+  if (actsByCurvature(n, m)) t.limits.tensionInterval = tensionInterval(w.scene);
+  if (m.surfaceEnergy) t.surface = surfaceMeasure(n, w.scene.spacing);
+}
+
+>>>>>>> 8f966fa1a21e4555cacd965f26d6de24087c5a3a
 /// As initializeForces(). Returns the limits (s) of the first step.
 StepLimits initializeWithLimits(World& w, Halos halos, StepTools& t) {
   Continuum& p = w.particles;
@@ -69,7 +171,7 @@ StepLimits initializeWithLimits(World& w, Halos halos, StepTools& t) {
   if (fieldsDeferred(w.bonds, t.solid))
     for (AnyColumn* c : columnsOfSteps(w.solids, t.solid.elastic)) w.solids.deactivate(*c);
   evaluateNow(w, halos, t);
-  if (!w.modules.neighbours) {  // only needed for the bonds of the start
+  if (!w.modules.neighbours) {  // lists were only needed for the initial bonds
     w.neighbours = {};
     t.sums.records = {};
     t.sums.search = {};
@@ -78,7 +180,7 @@ StepLimits initializeWithLimits(World& w, Halos halos, StepTools& t) {
   t.mass = totalMass(w.particles, halos.all);
   const LedgerReport now = reportLedger(w, t, halos.all);
   w.ledger.initial = now.now;
-  // Particles emitted at time 0 are part of the start, and so are gains and losses of relaxation.
+  // Particles emitted at time 0, and gains and losses of relaxation, belong to the initial state.
   w.ledger.entered = w.ledger.left = {};
   StepContext c = stepContext(w, halos, t, 0);
   reduceStep(c, {}, {});
@@ -117,7 +219,8 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   w.solids.energyKnown = w.compressionKnown = true;  // part of the state
   if (p.solidIndex.active) {
     for (std::size_t i = 0; i < p.owned; i++) p.solidIndex[i] = noSolid;
-    rebuildSolidBonds(w, halos, t, {{}, true});  // solids of the records, on the rank that read them
+    rebuildSolidBonds(w, halos, t, {{}, true});  // creates the solids of the records on the rank that read
+                                                 // them
   }
   computeCellKeys(w.grid, p);
   Migration all;
@@ -137,7 +240,7 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   const CellCosts costs = countCells(w);
   halos.cells.rebalance(costs.cells, costs.cost, true);
   t.redistribution.newPartition = true;
-  // After the ghosts they equal the state of the last step.
+  // After the exchange of ghosts, body types equal the state of the last step.
   if (w.modules.bodyTypes()) redistributeBodyTypes(w, halos, t.redistribution);
   if (w.modules.oriented) updateNeighbours(w.oriented, w.scene, halos, t.oriented.lists);
   t.oriented.time = w.clock.time;
@@ -149,8 +252,8 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   halos.all.maximum({&froze, 1});
   t.phaseChange.frozeAnywhere = froze > 0;
   t.phaseChange.here = true;
-  // A resumed scene with a shorter step limit applies it to the first step too; for the same scene no bit
-  // changes.
+  // A resumed scene with a shorter step limit applies the limit to the first step, too. For the same scene,
+  // no bit changes.
   const double fixed = w.scene.numerics.fixedStep, factor = w.monitor.factor;
   StepLimits limits = t.limits.fixed;
   if (w.modules.substeps)
@@ -162,7 +265,7 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
     if (hasLiquid == 0)
       for (const Limit l : limitsOfLiquid) limits[l] = never;
   }
-  // The step of rigid parts may be longer, and obeys these limits from the next step on.
+  // The current step of rigid parts may be longer. These limits apply from the next step on.
   if (w.modules.rigidify) limits[Limit::Elastic] = limits[Limit::Contact] = never;
   w.clock.dt = fixed > 0 ? factor * fixed : std::min(w.clock.dt, factor * limits[limits.smallest()]);
 }
@@ -178,9 +281,10 @@ void applyNewCoefficients(World& w, Halos halos, StepTools& t) {
   findStoredEnergy(w, t);
   recordStored(w, t, 1, jump);
   w.ledger.restartJump += jump;
-  t.phaseChange.frozeAnywhere = false;  // newly frozen particles have bonds now
+  t.phaseChange.frozeAnywhere = false;  // newly frozen particles already have bonds
   StepContext c = stepContext(w, halos, t, 0);
-  c.contactNear = w.modules.rareContact;  // unknown here, and a new stiffness shortens the limit
+  c.contactNear = w.modules.rareContact;  // unknown here; assume contact, since a new stiffness may shorten
+                                          // the limit
   reduceStep(c, {}, {});
   prepareNextStep(w, halos, t);
 }

@@ -11,18 +11,19 @@
 
 namespace thaw {
 
-/// Prepares grid, modules, walls and fields of a scene, without particles: the common part of a fresh run and
-/// a restart. Requires: world.scene is set. Throws ShapeError or std::runtime_error (one sentence) if the
-/// scene cannot be simulated.
+/// Prepares grid, modules, walls and fields of a scene, without particles. New runs and restarts both use it.
+/// Requires: world.scene is set. Throws ShapeError or std::runtime_error (one sentence) if the scene cannot
+/// be simulated.
 void prepareWorld(World& world, StepTools& tools, const MeshLoader& load);
 
-/// Samples the bodies (each rank its part) and assigns cells to ranks by weight. Throws std::runtime_error if
-/// bodies overlap without a rule in the scene, or lie outside of the domain or in an obstacle. Collective.
+/// Samples the bodies (each rank samples a part) and assigns cells to ranks by weight. Throws
+/// std::runtime_error if bodies overlap without a rule in the scene, lie outside the domain, or lie in an
+/// obstacle. Collective.
 SamplingReport sampleWorld(World& world, Halos halos, StepTools& tools, const MeshLoader& load);
 
-/// Computes forces and accelerations at time 0, the first dt, and the ledger's initial state; makes bonds if
-/// SolidWork::bondsAtStart. Call it again after a program has changed positions, velocities or enthalpies.
-/// Collective.
+/// Computes forces and accelerations at time 0, the first dt, and the ledger's initial state. Makes bonds if
+/// SolidWork::bondsAtStart is set. Call it again after a program has changed positions, velocities or
+/// enthalpies. Collective.
 void initializeForces(World& world, Halos halos, StepTools& tools);
 
 /// Changes the sampled particles of this rank before the start.
@@ -33,8 +34,8 @@ using ParticleChange = std::function<void(Continuum&)>;
 SamplingReport startWorld(World& world, Halos halos, StepTools& tools, const MeshLoader& load,
                           const ParticleChange& change = {});
 
-/// Resumes a run after a restart, with particles and solid records on any rank: migrates and sorts them and
-/// prepares the next step. Collective.
+/// Resumes a run after a restart. Particles and solid records may be on any rank. They are migrated and
+/// sorted, and the next step is prepared. Collective.
 void resumeWorld(World& world, Halos halos, StepTools& tools);
 
 /// Call it after resumeWorld if the scene's coefficients differ from those of the run so far. Recomputes

@@ -29,7 +29,7 @@ bool varies(const Body& b, bool relaxed) {
          (!(b.spin == Vec3d{}) || !(b.temperatureGradient == Vec3d{}));
 }
 
-/// Invalid values of one body's fields on this rank: their number, and the particle of the lowest id.
+/// Invalid values of one body's fields on this rank: their number, and the particle with the lowest id.
 struct BadValues {
   std::int64_t count[fieldsOfBody]{};
   double firstId[fieldsOfBody] = {never, never, never, never};
@@ -94,8 +94,8 @@ Vec3d middleOf(const SignedDistance& shape) {
 SampleLattice bodyLattice(const Scene& s, const Body& body, const SignedDistance& shape) {
   const bool solid = solidAtStart(s, body);
   const Layers layers = solid ? Layers::Cover : Layers::Fit;
-  // Steps in the faces of a liquid box grow into jets where the liquid is decelerated. Rigid pieces touch at
-  // their particles, so faces and edges need particles at a uniform depth.
+  // Steps in the faces of a liquid box would grow into jets when the liquid is decelerated. Rigid pieces
+  // touch at their particles, so faces and edges need particles at a uniform depth.
   const bool rigid = solid && s.materials[static_cast<std::size_t>(body.material)].isRigid();
   return rigid || body.shape.kind == ShapeKind::Box ? turnedLattice(shape, s.spacing, layers)
                                                     : sampleLattice(shape, s.spacing, layers);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Particles at the same place.
+// Particles at the same position.
 #pragma once
 #include <cstdint>
 
@@ -8,9 +8,9 @@
 
 namespace thaw {
 
-/// Gives coincident particles a tiny opposite impulse, with a direction derived from the id
-/// (docs/validation/stability.md, row 9). before: Counters::coincidentPairs before the sums. Called at the
-/// end of an evaluation; takes effect in the next step.
+/// Applies tiny opposite impulses to coincident particles, in a direction derived from the id
+/// (docs/validation/stability.md, row 9). before: Counters::coincidentPairs before the sums. Call it at the
+/// end of an evaluation; it takes effect in the next step.
 void separateCoincident(World& world, const PairRecords& records, std::int64_t before);
 
 }  // namespace thaw

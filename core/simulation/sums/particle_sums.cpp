@@ -132,7 +132,8 @@ void searchNeighbours(World& w, StepTools& t, Part part, double elapsed) {
     searchInner(w, t.sums, t.times);
   } else {
     if (p.ghosts > t.sums.ghostRoom) {
-      // More ghosts than ever: the padding of the inner lists points to rows of ghosts now.
+      // There are more ghosts than rows reserved for them, so the padding of the inner lists now points to
+      // rows of ghosts.
       t.sums.ghostRoom = p.ghosts + p.ghosts / 8;
       resizeRecords(x, p.owned + t.sums.ghostRoom, t.sums.records);
       searchInner(w, t.sums, t.times);  // the sums of inner particles are done
@@ -145,7 +146,7 @@ void searchNeighbours(World& w, StepTools& t, Part part, double elapsed) {
 
 namespace {
 
-/// Sends a sum to the forces that do not depend on the pressure of this step.
+/// Redirects the sums to the forces that do not depend on the pressure of this step.
 PairSums withExplicitForces(World& w, const PairSumWork& work) {
   PairSums s = pairSumsOf(w, work);
   if (w.particles.drag.active) s.force = w.particles.drag.data();
@@ -156,7 +157,8 @@ PairSums withExplicitForces(World& w, const PairSumWork& work) {
 
 void sumForces(World& w, StepTools& t, const PassRows& rows) {
   const RecordContext x = recordContext(w, t.liquids);
-  if (w.modules.fluid && !w.modules.incompressible) {  // else the pressure is computed at the end of the step
+  if (w.modules.fluid && !w.modules.incompressible) {  // otherwise the pressure is computed at the end of the
+                                                       // step
     packPressure(x, w.particles, rows.begin, rows.end, t.sums.records);
     w.compressionKnown = !w.modules.uniform;
   }

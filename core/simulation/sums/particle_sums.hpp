@@ -12,11 +12,12 @@ namespace thaw {
 /// Returns input and output of the neighbour sums for this world.
 PairSums pairSumsOf(World& world, const PairSumWork& work);
 
-/// Clears all accumulated rates. pairsSet: except those that the pair sums of one liquid (Modules::uniform)
-/// assign, which come first.
+/// Clears all accumulated rates. pairsSet: excludes rates that the pair sums of one liquid (Modules::uniform)
+/// assign, since these sums come first.
 void clearRates(Continuum& particles, bool pairsSet = false);
 
-/// Sets PairSumWork::inner of the present cells: 1 if sums need no ghosts. owned: number of owned rows.
+/// Sets PairSumWork::inner of the present cells to 1 if their sums need no ghosts. owned: number of owned
+/// rows.
 void markInner(const CellTable& cells, std::size_t owned, const CellHalo& halo,
                std::vector<std::uint8_t>& inner);
 
@@ -26,8 +27,8 @@ ColumnList recordColumns(Continuum& particles);
 /// Packs the records of a pass and searches the neighbours of its rows. elapsed: s, last step.
 void searchNeighbours(World& world, StepTools& tools, Part part, double elapsed);
 
-/// Sums pressure, viscosity and conduction of pairs. With incompressible liquid, forces go to
-/// Continuum::drag: its pressure is computed at the end of the step.
+/// Sums pressure, viscosity and conduction of pairs. With incompressible liquid, forces are added to
+/// Continuum::drag, since the pressure is computed at the end of the step.
 void sumForces(World& world, StepTools& tools, const PassRows& rows);
 /// Adds the pair sums of the scene's terms (ModelPart::sweeps). Requires: sumForces for these rows.
 void sumTerms(World& world, StepTools& tools, const PassRows& rows);

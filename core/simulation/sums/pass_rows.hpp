@@ -9,12 +9,13 @@
 
 namespace thaw {
 
-/// The inner pass covers rows whose neighbours are all owned, while ghosts are exchanged; the boundary pass
-/// covers the others.
+/// The inner pass covers rows whose neighbours are all owned, while ghosts are exchanged. The boundary pass
+/// covers the other rows.
 struct PassRows {
   Part part = Part::Inner;
   GroupRange groups{0, 0};         ///< groups of neighbour lists whose sums are computed
-  std::size_t begin = 0, end = 0;  ///< rows whose records become known: owned ones, then ghosts
+  std::size_t begin = 0, end = 0;  ///< rows whose records are packed: owned rows in the inner pass, ghosts in
+                                   ///< the boundary pass
 };
 
 /// Returns the rows of a pass. Requires: searched lists.

@@ -86,8 +86,8 @@ double energyAsLiquid(World& w, const SurfaceMeasure& measure, const WallContact
   return energy;
 }
 
-/// Returns true if a neighbour of lane l of group g is liquid, if only in part. Other solids have sums or
-/// not, depending on the group, and so on the number of ranks. support: m.
+/// Returns true if a neighbour of lane l of group g is at least partly liquid. Whether other solids have sums
+/// depends on the group, and thus on the number of ranks. support: m.
 bool touchesLiquid(const Continuum& p, const NeighbourLists& lists, double support, std::size_t g,
                    std::size_t l) {
   const Vec3d at = p.position[lists.self[8 * g + l]];

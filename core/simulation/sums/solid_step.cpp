@@ -35,7 +35,7 @@ void chooseActive(const Continuum& p, Solids& solids, const Bonds& bonds, BondHa
 void deformAll(World& w, Halos& halos, StepTools& t, const ElasticStep& step, Exchange ends) {
   if (w.modules.sleep) chooseAwakeGroups(w.particles, w.solids, t.solid.elastic, t.sleep);
   if (w.modules.rigidify) {
-    ends.wait();  // a halo has one refresh in flight
+    ends.wait();  // a halo can have only one refresh in flight
     chooseActive(w.particles, w.solids, w.bonds, halos.bonds, t.solid.elastic);
   }
   ElasticResult r = computeDeformationAndStress(t.solid.elastic, w.solids, w.bonds, step, SolidPart::Inner);
@@ -65,7 +65,7 @@ BondForming bondForming(const Scene& scene, const Modules& modules, const SolidW
   return forming;
 }
 
-/// Updates data after a bond update that changed something on any rank.
+/// Updates the data derived from bonds after a bond update with changes on any rank.
 void updateBondData(World& w, BondHalo& halo, SolidWork& work, SleepWork& sleep) {
   fillNewSolids(w.particles, w.solids, work.elastic, work.bondsAtStart);
   if (w.modules.sleep) forgetChangedSolids(w.solids, sleep);
@@ -74,8 +74,8 @@ void updateBondData(World& w, BondHalo& halo, SolidWork& work, SleepWork& sleep)
   w.counters.singularNeighbourhoods = refreshReference(work.elastic, w.solids, w.bonds, false);
 }
 
-/// Records the energy of the particles that requested bonds, times `sign`: 1 before they have the bonds, -1
-/// after, at the same positions.
+/// Records the energy of the particles that requested bonds, times `sign`. Call it with 1 before the bonds
+/// exist and with -1 afterwards, at the same positions.
 void recordEnergyJump(World& w, SolidWork& work, double sign) {
   if (sign > 0) {
     work.rebonded.clear();
@@ -88,15 +88,15 @@ void recordEnergyJump(World& w, SolidWork& work, double sign) {
     w.ledger.phaseJump.add(sign * solidEnergy(work.elastic, w.solids, w.bonds, w.particles.solidIndex[row]));
 }
 
-/// Number of solid ghosts, an upper bound of remote rows at the start.
+/// Returns the number of solid ghosts, an upper bound of remote rows at the start.
 std::size_t solidGhosts(const Continuum& p) {
   std::size_t n = 0;
   for (std::size_t i = p.owned; i < p.size(); i++) n += p.phase[i] == Solid;
   return n;
 }
 
-/// Returns the number of parts in which all ranks make the initial bonds, such that the requests of one part
-/// fit a cache.
+/// Returns the number of parts in which all ranks make the initial bonds. The requests of one part fit into a
+/// cache.
 std::size_t partsOfStart(const NeighbourLists& lists, Reducer& all) {
   double listed = 0;
   for (const std::uint16_t n : lists.neighbours) listed += n;
@@ -105,7 +105,8 @@ std::size_t partsOfStart(const NeighbourLists& lists, Reducer& all) {
   return static_cast<std::size_t>(std::clamp(listed / together, 8.0, 64.0));
 }
 
-/// Makes all initial bonds in parts: all requests at once would take many times the memory of the bonds.
+/// Makes the initial bonds in parts, since all requests at once would take many times the memory of the
+/// bonds.
 void bondScene(World& w, Halos& halos, SolidWork& work, SleepWork& sleep) {
   takeReferences(w.particles, w.solids);
   const BondForming forming = bondForming(w.scene, w.modules, work);
@@ -119,7 +120,7 @@ void bondScene(World& w, Halos& halos, SolidWork& work, SleepWork& sleep) {
   const auto part = [&](std::size_t k) {
     return ListedGroups{k * w.neighbours.groups / parts, (k + 1) * w.neighbours.groups / parts};
   };
-  if (!w.bonds.vectors) {  // for the largest part; growth would take twice the memory
+  if (!w.bonds.vectors) {  // reserves memory for the largest part, since growth would take twice the memory
     std::size_t most = 0;
     for (std::size_t k = 0; k < parts; k++) {
       std::size_t places = 0;
@@ -144,8 +145,8 @@ void bondScene(World& w, Halos& halos, SolidWork& work, SleepWork& sleep) {
   work.bondsAtStart = false;
 }
 
-/// Makes the bonds of the start or after freezing. Existing stress does not change: F of older ends is taken
-/// into account.
+/// Makes the initial bonds, or bonds after freezing. Existing stress does not change, since references
+/// account for F of older ends.
 void requestBonds(World& w, Halos& halos, StepTools& t) {
   Continuum& p = w.particles;
   if (w.modules.rigidify) deformPassive(t.solid.elastic, w.solids, w.bonds);

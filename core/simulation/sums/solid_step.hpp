@@ -16,8 +16,8 @@ void rebuildSolidBonds(World& world, Halos halos, StepTools& tools, const BondUp
 void melt(World& world, BondHalo& halo, ElasticWork& elastic, PhaseTimes& times);
 
 /// Returns true at the start of a scene whose bonds have no vectors. Until the bonds exist, the fields of
-/// columnsOfSteps are unused. Their memory is better allocated once the lists of the start are freed and
-/// remote rows are known. Forming bonds with vectors reads F of their ends.
+/// columnsOfSteps are unused. Their memory is allocated after the lists of the start are freed and remote
+/// rows are known. This does not apply to bonds with vectors, whose formation reads F of their ends.
 inline bool fieldsDeferred(const Bonds& bonds, const SolidWork& work) {
   return work.bondsAtStart && !bonds.vectors;
 }
@@ -25,28 +25,29 @@ inline bool fieldsDeferred(const Bonds& bonds, const SolidWork& work) {
 /// Returns the options of an elastic evaluation in a step of dt (s).
 ElasticStep elasticStep(const ElasticWork& elastic, double dt);
 
-/// Copies positions (velocities, liquid fractions) to the solids and sends them along the bonds. Collective.
+/// Copies positions (and velocities and liquid fractions, if active) to the solids and sends these columns
+/// along the bonds. Collective.
 Exchange sendPositions(const Continuum& particles, Solids& solids, const Bonds& bonds, BondHalo& halo,
                        const SolidWork& work);
 
-/// Computes deformation, plastic flow and stress; waits for the positions of sendPositions.
+/// Computes deformation, plastic flow and stress. Waits for the positions of sendPositions.
 void deformSolids(World& world, Halos halos, StepTools& tools, double dt, Exchange positions);
 
-/// Returns true if bonds form in this step on any rank: at the start, after freezing, by welding. Welding is
-/// checked at the current positions, so a restart needs no extra state. Collective.
+/// Returns true if bonds form in this step on any rank: at the start, after freezing, or by welding. Welding
+/// is checked at the current positions, so a restart needs no additional state. Collective.
 bool bondsForm(World& world, Reducer& all, const StepTools& tools);
 
 /// Forms bonds, and computes deformation and stress with them. Requires: neighbour lists, and no refresh of
 /// ghosts in flight. Collective.
 void makeBonds(World& world, Halos halos, StepTools& tools, double dt);
 
-/// Adds elastic forces to the particles; waits for the stress of other ranks.
+/// Adds elastic forces to the particles. Waits for the stress of other ranks.
 void addElasticForces(World& world, ElasticWork& elastic, PhaseTimes& times, double dt, Exchange stress);
 
-/// Computes Solids::energy and Solids::deformation of all owned solids for the last evaluation, if steps do
-/// not (core/simulation/sums/stored_energy.hpp).
+/// Computes Solids::energy and Solids::deformation of all owned solids for the last evaluation, unless steps
+/// compute both (core/simulation/sums/stored_energy.hpp).
 void findElasticEnergy(Solids& solids, const Bonds& bonds, const ElasticWork& elastic);
-/// As above for the particles in these rows, which are about to leave.
+/// The same for the particles in these rows, which are about to leave.
 void findElasticEnergy(const Continuum& particles, Solids& solids, const Bonds& bonds,
                        const ElasticWork& elastic, std::span<const std::uint32_t> rows);
 

@@ -10,10 +10,10 @@
 namespace thaw {
 
 /// Computes Solids::energy, Solids::deformation and the compression energy in Continuum::interaction, unless
-/// the last evaluation did. Call it before a checkpoint, a snapshot or a frame; the ledger's report calls it
-/// itself. The bits do not depend on when and how often it is called.
+/// the last evaluation computed these. Call it before a checkpoint, a snapshot or a frame; the ledger's
+/// report calls it itself. Results have the same bits no matter when and how often it is called.
 void findStoredEnergy(World& world, const StepTools& tools);
-/// As above for the particles in these rows, which are about to leave.
+/// The same for the particles in these rows, which are about to leave.
 void findStoredEnergy(World& world, const StepTools& tools, std::span<const std::uint32_t> rows);
 
 }  // namespace thaw

@@ -12,8 +12,8 @@ namespace thaw {
 
 namespace {
 
-/// Records the impulses of walls, and of the weight of entered and left mass, over half a kick, as applied to
-/// particles.
+/// Records the impulses applied to particles in half a kick by walls, and by the weight of the mass that
+/// entered and left.
 void recordImpulses(Ledger& l, const Scene& scene, double half) {
   for (int a = 0; a < 3; a++) {
     const double g = scene.domain.gravity[a] * half;
@@ -43,7 +43,8 @@ bool kickAndDrift(World& w, double dt, std::span<const RowSpan> rows) {
   for (const RowSpan& range : rows)
     for (std::size_t i = range.begin; i < range.end; i++) {
       if (shifted) {
-        // Work against position-dependent forces. A carried density has that against pressure.
+        // Records the work of shifting against forces that depend on positions. With a carried density, the
+        // pressure is not such a force.
         p.dissipated[i] += p.mass[i] * dt * dot(carried ? g : p.acceleration[i], p.shiftingVelocity[i]);
         if (p.positionForce.active) p.dissipated[i] += dt * dot(p.positionForce[i], p.shiftingVelocity[i]);
       }
@@ -92,7 +93,7 @@ bool finishKick(World& w, double dt, std::span<const RowSpan> rows, std::size_t*
       if (lessFast != 0 && !clamped) v += p.fastAcceleration[i] * (lessFast * half);
       p.velocity[i] = v;
       const double speed2 = dot(v, v);
-      if (speed2 > far2) {  // only a fixed step can be that long: the speed limit prevents it
+      if (speed2 > far2) {  // only a fixed step can be that long, since the speed limit prevents it otherwise
         finite = false;
         *bad = i;
       }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Leap-frog in kick-drift-kick form (K05 3.4; SP05 section 4): positions and velocities are known at
-// the same time.
+// Leap-frog in kick-drift-kick form (K05 3.4; SP05 section 4). Positions and velocities are known at the same
+// time.
 #pragma once
 #include <span>
 
@@ -9,15 +9,15 @@
 
 namespace thaw {
 
-/// Half a kick with the last acceleration, then the drift over dt (s). Viscous forces are then evaluated at
-/// the half-step velocity. rows: active owned rows, ascending; the others neither move nor accelerate
-/// (awakeRows, core/sleep/sleep.hpp). Returns true if a moved particle is beyond an open side.
+/// Applies half a kick with the last acceleration, then the drift over dt (s). Viscous forces are then
+/// evaluated at the half-step velocity. rows: active owned rows, ascending. Other rows neither move nor
+/// accelerate (awakeRows, core/sleep/sleep.hpp). Returns true if a moved particle is beyond an open side.
 bool kickAndDrift(World& world, double dt, std::span<const RowSpan> rows);
 
 /// Computes accelerations from forces and gravity and applies the second half kick. Clamped particles and
-/// rows outside of the ranges do not change. Accumulates dissipation. Returns false if a position, velocity
-/// or force is not finite, or if a particle would cross its support radius in such a step. *bad is then the
-/// first such row. *largest receives the result of largestRates.
+/// rows outside the ranges do not change. Accumulates dissipation. Returns false if a position, velocity or
+/// force is not finite, or if a particle would move by more than its support radius in such a step. *bad is
+/// then the first such row. *largest receives the result of largestRates.
 bool finishKick(World& world, double dt, std::span<const RowSpan> rows, std::size_t* bad,
                 LargestRates* largest);
 

@@ -68,10 +68,10 @@ double viscousFactor(const Numerics& n, const Modules& modules) {
 /// Returns the viscosity (Pa s) that limits the step of particles of material k with viscosity mu; their
 /// velocity change depends on their own mass alone (docs/validation/stability.md, row 12). Between liquids of
 /// the pairwise form it is mu. Next to a thicker, nearly static liquid or a solid, the viscosity of a pair is
-/// up to twice as large. Yet the fastest wave among equal particles, with opposite motion of neighbours, is
-/// as fast (tests/stability: LightParticlesInAThickLiquid). For the same reason, that of a solid is the
-/// largest one of the other liquids; those with a table or a flow law are left to particleLimits. The
-/// arithmetic mean of the printed form has no such bound.
+/// up to twice as large. However, the fastest wave among equal particles, with opposite motion of neighbours,
+/// has the same rate (tests/stability: LightParticlesInAThickLiquid). For the same reason, the viscosity for
+/// a solid is the largest one of the other liquids. Liquids with a table or a flow law are handled by
+/// particleLimits. The arithmetic mean of the printed form has no such bound.
 double viscosityOfStep(const Scene& s, std::size_t k, double mu) {
   const bool liquid = canBeLiquid(s.materials[k]), printed = s.numerics.viscosity == ViscosityForm::Laplacian;
   if (!printed && !s.materials[k].canBeSolid()) return mu;
@@ -97,9 +97,9 @@ StepLimits materialLimits(const Scene& s, const Modules& modules,
   for (std::size_t k = 0; k < s.materials.size(); k++) {
     if (!inUse(s, k)) continue;
     const Material& m = s.materials[k];
-    // A wider support does not soften the lattice: supports beyond 2 spacings count as 2. A light particle,
-    // liquid or solid, among those of a stiffer liquid oscillates with their stiffness and its own mass
-    // (docs/validation/stability.md, row 12).
+    // A wider support does not soften the lattice, so supports beyond 2 spacings count as 2. A light
+    // particle, liquid or solid, among particles of a stiffer liquid oscillates with the liquid's stiffness
+    // and its own mass (docs/validation/stability.md, row 12).
     if (stiffest > 0 && !modules.incompressible) {
       const double own = canBeLiquid(m) ? liquids[k].soundSpeed : 0,
                    near = std::sqrt(stiffest / leastDensityOf(m));
@@ -118,8 +118,8 @@ StepLimits materialLimits(const Scene& s, const Modules& modules,
              viscousFactor(n, modules) * stableViscousStep(n) * h * h * leastDensityOf(m) / mu);
     }
     if (modules.fluid && canBeLiquid(m)) {
-      // The surface energy is stiff where few particles interact. An inviscid drop gains 26 % of its energy
-      // in 6 s with a factor of 0.2, and 0.8 % in 3 s with 0.1.
+      // The surface energy is stiff if few particles interact. An inviscid drop gains 26 % of its energy in 6
+      // s with a factor of 0.2, and 0.8 % in 3 s with 0.1.
       const double stiff = modules.surfaceEnergy ? 0.12 : 1;
       if (m.surfaceTension > 0) take(Limit::Tension, stiff * n.cflTension * capillaryTime(s, m));
     }
@@ -143,9 +143,9 @@ double flowLawStepLimit(const Scene& s, const Material& m) {
 
 namespace {
 
-/// Largest viscosity (Pa s) of owned particles of a material with a table or a flow law. Single particles
-/// count, since the pairs of a rank depend on the partition. A small change of the rate changes the stress
-/// of a flow law by d stress / d rate, up to n times the viscosity.
+/// Largest viscosity (Pa s) of owned particles of a material with a table or a flow law. It is a maximum over
+/// particles and not pairs, since the pairs of a rank depend on the partition. A small change of the rate
+/// changes the stress of a flow law by d stress / d rate, up to n times the viscosity.
 double largestViscosityHere(const Continuum& p, const Scene& scene, std::size_t material) {
   const Material& m = scene.materials[material];
   double mu = 0;
@@ -193,8 +193,8 @@ StepLimits particleLimits(const World& w, const LargestRates& largest, double st
   const double h = w.grid.support;
   if (largest.speed2 > 0) l[Limit::Speed] = supportsPerStep * h / std::sqrt(largest.speed2);
   if (largest.acceleration2 > 0) {
-    // Incompressible liquid at rest falls in each half step and is stopped by the solver; at 1 it gains
-    // energy.
+    // Incompressible liquid at rest falls in each half step and is stopped by the solver. With a factor of 1
+    // it gains energy.
     constexpr double incompressible = 0.6;
     l[Limit::Acceleration] = (w.modules.incompressible ? incompressible : 1) * n.cflAcceleration *
                              std::sqrt(h / std::sqrt(largest.acceleration2));

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kinds of failure, and the bounds beyond which a step has failed (core/simulation/monitor/monitor.hpp).
+// Types of failure, and the bounds beyond which a step has failed (core/simulation/monitor/monitor.hpp).
 #pragma once
 #include "core/scene/scene.hpp"
 
 namespace thaw {
 
-/// Kinds of failure. NotFinite: also a particle that would cross its support radius in a step. Energy:
-/// unexplained gain since the last snapshot. Growth: unexplained gain since the run began, however slow.
+/// Types of failure. NotFinite: also for a particle that would move by more than its support radius in a
+/// step. Energy: unexplained gain since the last snapshot. Growth: unexplained gain since the run began,
+/// however slow.
 enum class Failure { None, NotFinite, Speed, Density, Step, Inverted, Energy, Growth };
 
 /// Limits of the scene, constant over the run. `never` or 0: not monitored.
@@ -15,7 +16,8 @@ struct MonitorLimits {
                          ///< tenth of the slowest wave speed
   double speed = never;  ///< m/s
   double relativeDensity = never;  ///< 1, relative density of a liquid
-  double step = 0;  ///< s, fraction of the shorter of the materials' limit and that of the expected speed
+  double step = 0;  ///< s, shortest allowed step: a fraction of the smaller of the materials' limit and the
+                    ///< limit of the expected speed
   double inverted = never;  ///< 1, fraction of the solid particles whose law cannot recover
   double energy = never;    ///< 1, relative to the energy scale
 };

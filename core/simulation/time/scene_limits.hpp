@@ -10,7 +10,7 @@ struct SceneLimits {
   StepLimits fixed;               ///< from materials
   double longestContact = never;  ///< s, limit of a substep by wall contacts of solids, from materials
   double stableViscousStep = 0;   ///< largest stable dt nu / h^2 on the lattice
-  double tensionInterval = 0;     ///< s, tensionInterval
+  double tensionInterval = 0;     ///< s, result of tensionInterval()
   MonitorLimits monitor;
 };
 

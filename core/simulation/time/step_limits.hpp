@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kinds of limits of the time step.
+// Types of limits of the time step.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -27,13 +27,14 @@ inline constexpr std::array<const char*, 13> limitNames{
     "sound",           "density change",     "viscosity", "heat",    "elastic waves",
     "surface tension", "acceleration",       "speed",     "contact", "scene",
     "extensions",      "oriented particles", "sheets"};
-inline constexpr std::size_t bodyTypeLimits = 2;  ///< the last entries: further body types, reduced only in
-                                                  ///< scenes that have them
+inline constexpr std::size_t bodyTypeLimits = 2;  ///< the last entries are for body types other than the
+                                                  ///< continuum, and are reduced only in scenes that have
+                                                  ///< them
 
 /// Largest change of a carried relative density in a step.
 inline constexpr double densityChangePerStep = 0.02;
-inline constexpr double supportsPerStep = 0.25;  ///< no particle crosses another particle, or a cell, in a
-                                                 ///< step
+inline constexpr double supportsPerStep = 0.25;  ///< maximum motion in a step, so that no particle crosses
+                                                 ///< another particle or a cell
 
 /// Limits in s; `never` if not applicable.
 struct StepLimits {

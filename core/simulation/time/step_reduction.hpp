@@ -11,13 +11,14 @@
 
 namespace thaw {
 
-/// Minima are maxima of negated values. A flag is above 0 if some rank sets it.
+/// Minima are stored as negated values. A flag is above 0 if any rank sets it.
 struct StepReduction {
   std::array<double, limitNames.size() - bodyTypeLimits> negatedLimits{};  ///< s
   double froze = 0, bad = 0, stop = 0, report = 0, checkpoint = 0, melted = 0;
-  double pairsChange = 0;       ///< energies of contacts or cohesion change with the phase
-  double rigidity = 0;          ///< parts of elastic solids become rigid or elastic
-  double stretch2 = 1;          ///< squared largest stretch of solids; 0: all are rigid and apart
+  double pairsChange = 0;       ///< flag: energies of contacts or cohesion change with the phase
+  double rigidity = 0;          ///< flag: parts of elastic solids become rigid or elastic
+  double stretch2 = 1;          ///< squared largest stretch of solids; 0: all solids are rigid and do not
+                                ///< touch
   double strainBound = 0;       ///< largestStrainBound
   double negatedFastLimit = 0;  ///< s, fastAccelerationLimit
   double relativeDensity = 0;   ///< 1, largestRelativeDensity
@@ -35,7 +36,7 @@ struct StepReduction {
   }
 };
 
-/// Collective: one reduction.
+/// Reduces all values over ranks, in one reduction. Collective.
 inline void reduceOverRanks(StepReduction& reduction, Reducer& all, const Modules& modules) {
   constexpr std::size_t n = sizeof(StepReduction) / sizeof(double);
   std::array<double, n> values = std::bit_cast<std::array<double, n>>(reduction);

@@ -9,7 +9,7 @@
 
 namespace thaw {
 
-/// Returns the joint of the scene's rigid pieces; none without them.
+/// Returns the joint motion of the scene's rigid pieces; empty without rigid pieces.
 inline std::optional<PieceJoint> jointOfPieces(World& w, Halos& halos, RigidWork& rigid) {
   std::optional<PieceJoint> joint;
   if (w.modules.rigid) joint.emplace(rigidView(w, rigid), halos.all);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Views for modules: the data of a run that each reads and changes.
+// Views for modules. A view refers to the data of a run that a module reads and changes.
 #pragma once
 #include "core/flow/density/carried_density.hpp"
 #include "core/heat/evaporation.hpp"

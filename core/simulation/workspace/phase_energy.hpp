@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stored energies of an evaluation, kept until heat has changed the phases of the step.
+// Energies of an evaluation, kept until heat has changed the phases at the end of the step.
 #pragma once
 #include <vector>
 
@@ -24,8 +24,8 @@ struct PhaseEnergyWork {
 struct PhaseChangeWork {
   PhaseEnergyWork energy;
   bool here = false;            ///< on this rank, since the last bond update
-  bool frozeAnywhere = false;   ///< some particle just froze on some rank
-  bool meltedAnywhere = false;  ///< some solid melted in this step on some rank
+  bool frozeAnywhere = false;   ///< a particle just froze on any rank
+  bool meltedAnywhere = false;  ///< a solid melted in this step on any rank
 };
 
 }  // namespace thaw

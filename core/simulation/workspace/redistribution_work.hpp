@@ -12,13 +12,15 @@ namespace thaw {
 
 struct RedistributionWork {
   SortBuffers sort;
-  std::size_t emitted = 0;             ///< the last owned rows are new, before they migrate
+  std::size_t emitted = 0;             ///< number of new particles, which are the last owned rows until they
+                                       ///< migrate
   std::vector<std::uint32_t> leaving;  ///< rows that leave the domain, ascending
   std::vector<std::uint32_t> vapour;   ///< leaving rows that evaporated
   Migration migration;                 ///< moves of this step
-  bool moved = false;                  ///< rows have changed their ranks, not only their order
+  bool moved = false;                  ///< rows have moved to other ranks; false: at most their order changed
   std::vector<Leaver> leavers;         ///< from all ranks; empty without surface tension
-  bool mayLeave = true;                ///< a particle may be beyond an open side; false: the drift found none
+  bool mayLeave = true;                ///< a particle may be beyond an open side; false: the drift found no
+                                       ///< such particle
   bool newPartition = true;            ///< cell owners may differ from the last evaluation
   bool looseMemory = false;  ///< the last evaluation had a new partition, and its temporary memory is free
 };

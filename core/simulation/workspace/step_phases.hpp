@@ -14,12 +14,12 @@ struct StepContext;  // core/simulation/step_context.hpp
 /// Phases in their order. The step's own lines run between them (step.cpp, evaluate.cpp, reduce_step.cpp).
 enum class ModulePhase {
   // Prediction
-  BeforeMotion,    ///< everything is at the end of the last step, including obstacles
+  BeforeMotion,    ///< all data, including obstacles, is at the end of the last step
   FirstKick,       ///< before the first half kick, v += a dt/2
   Drift,           ///< after the drift, x += v dt
   ObstaclesMoved,  ///< obstacles are at the end of the step
   // Redistribution
-  Emission,       ///< ghosts are gone: new particles
+  Emission,       ///< ghosts are gone: new particles are added
   Leaving,        ///< rows beyond open sides are listed: further particles that vanish
   Migrated,       ///< particles are on the ranks of their cells (RedistributionWork::migration), not sorted
   Redistributed,  ///< particles are on the ranks of their cells, sorted
@@ -42,7 +42,7 @@ enum class ModulePhase {
   AllForces,       ///< forces between particles are known: loads from outside, heat flows, implicit forces
   // Integration
   SecondKick,   ///< before the second half kick
-  Kicked,       ///< after it
+  Kicked,       ///< after the second half kick
   PhaseChange,  ///< heat, melting, freezing
   // Time-step reduction
   Limits,        ///< step limits of this rank's particles are known

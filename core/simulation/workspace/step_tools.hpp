@@ -27,8 +27,8 @@
 
 namespace thaw {
 
-/// Work data of a step by module, made once (core/simulation/setup/) and reused. Not part of the state.
-/// Flags and values that a step leaves for the next one are recomputed after a restart.
+/// Work data of a step by module, created once (core/simulation/setup/) and reused. It is not part of the
+/// state: flags and values that a step leaves for the next step are recomputed after a restart.
 struct StepTools {
   std::vector<LiquidMaterial> liquids;
   SceneLimits limits;

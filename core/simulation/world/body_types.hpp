@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The body types of a run besides the continuum, for code that treats all types alike.
+// The body types of a run except the continuum, for code that treats all types alike.
 #pragma once
 #include "core/particles/body_types.hpp"
 #include "core/simulation/world/world.hpp"

@@ -35,7 +35,7 @@ struct World {
   Pieces pieces;
   Walls walls;
   std::vector<float> startDensity;  ///< with carried densities: summed relative density at the start, by
-                                    ///< owned row, until it is checked
+                                    ///< owned row; kept until it is checked
   Clock clock;
   Ledger ledger;
   Counters counters;
@@ -44,7 +44,7 @@ struct World {
   OrientedBodies oriented;
   SheetBodies sheets;
   PressureIterations lastIterations;
-  bool compressionKnown = true;  ///< Continuum::interaction contains the compression energy; else
+  bool compressionKnown = true;  ///< true: Continuum::interaction contains the compression energy; false:
                                  ///< findStoredEnergy (core/simulation/sums/stored_energy.hpp) adds it
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The halos of all tables of a world, over MPI or of one rank.
+// The halos of all tables of a world, over MPI or in a single process.
 #pragma once
 #include <memory>
 
@@ -8,7 +8,7 @@
 
 namespace thaw {
 
-/// Cells and Bonds implement CellHalo and BondHalo. Absent tables have none.
+/// Cells and Bonds implement CellHalo and BondHalo. Absent tables have no halos.
 template<class Cells, class Bonds> struct WorldHalos {
   std::unique_ptr<Cells> cells;
   std::unique_ptr<Bonds> bonds;

@@ -36,7 +36,7 @@ struct BondForming {
 /// solids), refresh bondFormingColumns on ghosts, formBonds, rebuildBonds with the requests,
 /// refreshReference.
 void prepareBondForming(Continuum& particles, const Solids& solids);
-/// Columns of ghosts that formBonds reads besides position.
+/// Returns the ghost columns that formBonds reads in addition to position.
 ColumnList bondFormingColumns(Continuum& particles);
 
 /// Returns F^-1 x_ij, the distance vector (m) in the frame of an end with this F. A new bond with this

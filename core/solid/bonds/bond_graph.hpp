@@ -164,9 +164,9 @@ class BondGraph {
   std::vector<Renumbered> renumbered_;
 };
 
-/// Compares solids with particles after an edit. Sets Solids::particle of all solids that stay, lists rows of
-/// solid particles without a row in `withoutIndex`, and sets BondedRows::solidIndex of melted particles to
-/// noSolid. Requires: sorted particles without departed rows.
+/// Compares solids with particles after an edit. Sets Solids::particle of all remaining solids, and
+/// BondedRows::solidIndex of melted particles to noSolid. withoutIndex receives the solid particles that have
+/// no solid index. Requires: sorted particles without departed rows.
 void findWithoutIndex(const BondedRows& particles, Solids& solids, std::vector<std::uint32_t>& withoutIndex);
 
 }  // namespace thaw

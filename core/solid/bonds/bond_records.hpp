@@ -26,7 +26,7 @@ struct SolidRecords {
 /// Appends the record of a solid.
 void appendRecord(const Solids& solids, const Bonds& bonds, std::uint32_t solidIndex, SolidRecords& records);
 
-/// Appends a record without filling its State columns. Returns their offset.
+/// Appends a record with empty State columns. Returns the offset of these columns.
 std::size_t appendHead(SolidRecords& records, std::uint64_t id, std::size_t stateBytes,
                        std::span<const BondRecord> bonds, bool vectors);
 

@@ -3,9 +3,8 @@
 // gathered from both ends of each bond. With u_ij = x_ij - X_ij, A_i = sum_j w_ij X_ij X_ij^T:
 //   grad u_i = (sum_j w_ij u_ij X_ij^T) A_i^-1,  F_i = 1 + grad u_i
 //   energy of i: V_i psi(F_i) + k_i/2 sum_j w_ij |x_ij - F_i X_ij|^2,  k_i = alpha E_i V_i / tr A_i
-// The second term is the hourglass control (G15), with the whole error vector instead of its length
-// along x_ij.
-// F_i minimises that term, so its derivative through F_i is zero. The forces below are thus the exact
+// The second term is the hourglass control (G15), with the full error vector instead of its component along
+// x_ij. F_i minimises that term, so its derivative through F_i is zero. The forces below are thus the exact
 // derivative of the energy, which conserves momentum, angular momentum and energy. With flux_i = V_i P_i
 // A_i^-1 - k_i grad u_i the force on i is
 //   sum_j w_ij [ flux_i X_ij - flux_j X_ji + k_i (x_ij - X_ij) + k_j (x_ij + X_ji) ].

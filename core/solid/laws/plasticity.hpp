@@ -51,8 +51,8 @@ struct PlasticDeformation {
 };
 /// Returns the work (Pa) lost in a step from one deformation to another. It is the mean of both stresses
 /// times the change of F, like the work of the step's forces, minus the change of the stored energy.
-/// PlasticFlow::loss is not accurate enough if plastic strain is at its limit, since the stress then changes
-/// by a multiple of the yield stress in a step.
+/// If plastic strain is at its limit, the stress changes by a multiple of the yield stress in a step, and
+/// PlasticFlow::loss is not accurate.
 double workOfFlow(const ElasticConstants& c, const PlasticDeformation& before,
                   const PlasticDeformation& after);
 

@@ -6,7 +6,7 @@
 namespace thaw {
 namespace {
 
-constexpr double notMuch = 1e6;  // particles, below which no estimate is needed
+constexpr double notMuch = 1e6;  // number of particles below which no better estimate is needed
 constexpr int coarse = 24;       // points along each edge of the bounding box
 
 double insideShare(const SignedDistance& shape, const Bounds& b) {
@@ -56,7 +56,7 @@ double expectedArea(const std::vector<std::shared_ptr<const SignedDistance>>& sh
       for (int y = 0; y < n; y++)
         for (int x = 0; x < n; x++) in[at({x, y, z})] = shape->inside(place(x, y, z));
     // A piece of area A and normal n is crossed by |n_a| A / (area of a cell across a) lines along axis a.
-    // Counting that area over |n_x| + |n_y| + |n_z| for each crossing gives A.
+    // The sum over all crossings of that area / (|n_x| + |n_y| + |n_z|) is A.
     for (int z = 0; z < n; z++)
       for (int y = 0; y < n; y++)
         for (int x = 0; x < n; x++)

@@ -30,7 +30,7 @@ double particlesOf(const OrientedBody& b, double s, const MeshLoader& load) {
     case OrientedSource::Patch: return (scale * b.width / s + 1) * (scale * b.depth / (hexagon * s) + 1);
     case OrientedSource::Disc: return pi * scale * b.radius * scale * b.radius / cell;
     case OrientedSource::Points: return static_cast<double>(b.points.size());
-    case OrientedSource::Control: {  // the square that is searched for the hull of the points
+    case OrientedSource::Control: {  // the square in which the hull of the points is searched
       double reach = 0;
       for (const Vec3d& x : b.points)
         for (const Vec3d& y : b.points) reach = std::max(reach, length(x - y));
@@ -64,7 +64,7 @@ std::vector<ExpectedRows> expectedRows(const Scene& scene, const MeshLoader& loa
     e.ownSpacing = b.spacing > 0;
     try {
       e.rows = particlesOf(b, e.spacing, load);
-    } catch (const std::exception&) {  // its set-up reports the error with its place
+    } catch (const std::exception&) {  // the body's set-up reports the error with its location
     }
     e.bytesEverywhere = e.rows * (pointBytes + (b.source == OrientedSource::Surface ? sampleBytes : 0));
     e.bytesShared = b.thin * e.rows * orientedRow;

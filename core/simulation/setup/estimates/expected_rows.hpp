@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Estimates of particles and vertices of the further body types before they are made.
+// Estimates of the numbers of oriented particles and sheet vertices before they are created.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,18 +9,20 @@
 
 namespace thaw {
 
-inline constexpr double mostRowsPerBody = 2e9;  ///< per body; its points and vertices have 32-bit numbers
+inline constexpr double mostRowsPerBody = 2e9;  ///< maximum per body; points and vertices have 32-bit numbers
                                                 ///< during set-up
 
 struct ExpectedRows {
   std::string name;  ///< "oriented body 'skin'"
   SourcePlace where;
   double rows = 0;                 ///< particles or vertices, accurate to a third
-  double bytesEverywhere = 0;      ///< least memory (bytes) on each rank, as all ranks sample the whole body
+  double bytesEverywhere = 0;      ///< minimum memory (bytes) on each rank, since all ranks sample the whole
+                                   ///< body
   double bytesShared = 0;          ///< memory (bytes) of all rows on their owners
   double spacing = 0;              ///< m, spacing of the body
-  bool ownSpacing = false;         ///< true: not the scene's spacing
-  bool spread = false;             ///< its points are relaxed in passes of some tenths of a millisecond each
+  bool ownSpacing = false;         ///< true: the spacing differs from the scene's
+  bool spread = false;             ///< true: its points are relaxed in passes of some tenths of a millisecond
+                                   ///< each
   const char* word = "particles";  ///< or "vertices"
 };
 

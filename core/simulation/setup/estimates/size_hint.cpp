@@ -15,7 +15,7 @@ std::string written(const char* format, auto... values) {
   return text;
 }
 
-/// Returns true if the body times a factor is some particles wide and fits the domain.
+/// Returns true if the body, scaled by the factor, is several particles wide and fits into the domain.
 bool fits(const Scene& s, const Vec3d& size, double factor) {
   for (int a = 0; a < 3; a++)
     if (factor * size[a] > s.domain.max[a] - s.domain.min[a]) return false;

@@ -21,8 +21,8 @@ const char* remedyOf(const Shape& shape) {
   }
 }
 
-/// Initial relative density that takes effect with a carried density: the drift correction tolerates a small
-/// excess.
+/// Returns the effective initial relative density with a carried density. The drift correction tolerates a
+/// small excess.
 double excused(float summed) {
   constexpr double tolerated = 0.03;
   return std::max(1.0, static_cast<double>(summed) - tolerated);
@@ -39,7 +39,7 @@ std::vector<SceneWarning> compressedLiquids(const World& w, const std::vector<Li
   constexpr double unit = 1e-6, share = 0.1;  // relative to speed^2; relative to the speed
   const Continuum& p = w.particles;
   std::vector<std::int64_t> sums(2 * bodies, 0);  // number of particles, and their compression energy per
-                                                  // mass, in integers whose sums do not depend on the order
+                                                  // mass; integer sums do not depend on the order
   std::vector<double> densest(bodies, 0);
   for (std::size_t i = 0; i < p.owned; i++) {
     if (p.phase[i] != Liquid || p.body[i] >= bodies) continue;

@@ -11,9 +11,9 @@
 namespace thaw {
 
 /// Returns a warning for each body of liquid that would burst at more than a tenth of the largest expected
-/// speed, by its compression energy at time 0. Its lattice, of whole spacings, is then wider than the space
-/// between walls and other bodies. Call it after the first evaluation. The same on any number of ranks.
-/// Collective.
+/// speed. The speed follows from the compression energy at time 0. The body's lattice of whole spacings is
+/// then wider than the space between walls and other bodies. Call it after the first evaluation. The same on
+/// any number of ranks. Collective.
 std::vector<SceneWarning> compressedLiquids(const World& world, const std::vector<LiquidMaterial>& liquids,
                                             Reducer& all);
 

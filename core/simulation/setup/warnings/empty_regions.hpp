@@ -11,9 +11,9 @@
 
 namespace thaw {
 
-/// Returns a warning for each heated region that does not move and holds no particle that it heats. Scenes
-/// with emitters have none, since emitted particles may reach the region. The same on any number of ranks.
-/// Requires: the particles of the start. Collective.
+/// Returns a warning for each heated region that does not move and contains no particle that it heats. Scenes
+/// with emitters give no warnings, since emitted particles may reach the region. The same on any number of
+/// ranks. Requires: the particles of the start. Collective.
 std::vector<SceneWarning> emptyRegions(const Scene& scene, const Continuum& particles, const MeshLoader& load,
                                        Reducer& all);
 

@@ -34,7 +34,9 @@ class FreeFall {
     const Scene& s = w.scene;
     std::size_t originals = 0;
     for (const Wall& wall : w.walls.list) {
-      if (!wall.isImage() && ++originals > s.obstacles.size()) break;  // sides of the domain follow
+      if (!wall.isImage() && ++originals > s.obstacles.size())
+        break;  // the remaining walls are sides of the
+                // domain
       walls_.list.push_back(wall);
     }
     for (std::size_t b = 0; b < shapes.size(); b++)
@@ -42,7 +44,7 @@ class FreeFall {
         solids_.push_back({b, shapes[b].get()});
   }
 
-  /// Follows a particle to a side of the domain, in paces of at most a spacing.
+  /// Follows a particle to a side of the domain, in increments of at most a spacing.
   Exit follow(Drop d) {
     const Scene& s = w_.scene;
     const Vec3d gravity = s.domain.gravity;
@@ -61,7 +63,7 @@ class FreeFall {
           if (beyond < 0) continue;
           if (s.domain.side[static_cast<std::size_t>(a)][static_cast<std::size_t>(high)] == Side::Open)
             return exitAt(d.time - beyond / std::abs(d.velocity[a]), a, high);
-          // Liquid slides along a wall, unless gravity presses it on.
+          // Liquid slides along a wall, unless gravity presses it against the wall.
           if ((high ? gravity[a] : -gravity[a]) > 1e-9 * weight) return {};
           d.place[a] = high ? s.domain.max[a] : s.domain.min[a];
           d.velocity[a] = 0;
@@ -95,7 +97,7 @@ class FreeFall {
   }
 };
 
-/// The earliest exit of a source, unless one of its particles stays.
+/// The earliest exit of a source, or none if one of its particles stays.
 struct Leaving {
   Exit first;
   bool stays = false;

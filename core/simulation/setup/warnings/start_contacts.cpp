@@ -11,7 +11,8 @@
 namespace thaw {
 namespace {
 
-constexpr double within = 1 - 1e-9;  // factor of the reach: exact contact distance does not count
+constexpr double within = 1 - 1e-9;  // factor of the contact distance, so that rows at exactly this distance
+                                     // do not count
 
 struct ContactWarnings {
   const World& w;
@@ -57,7 +58,8 @@ struct ContactWarnings {
     }
   }
 
-  /// Particles of bodies near the vertices of a fine sheet, or near the triangles of a coarse one.
+  /// Warns about particles of bodies near the vertices of a fine sheet, or near the triangles of a coarse
+  /// sheet.
   void bodies(std::size_t sheet) {
     if (w.scene.bodies.empty()) return;
     const SheetPlan& plan = w.sheets.plans[sheet];
@@ -89,7 +91,8 @@ struct ContactWarnings {
     }
   }
 
-  /// Each pair once: vertices of the later sheet, or of the earlier one if none is near.
+  /// Warns once about each pair of sheets: about vertices of the later sheet, or of the earlier sheet if the
+  /// later one has none nearby.
   void sheets(std::size_t sheet, const std::vector<std::unique_ptr<TriangleBvh>>& faces) {
     for (std::size_t k = 0; k < sheet; k++) {
       if (reported.count({name(sheet), name(k)})) continue;

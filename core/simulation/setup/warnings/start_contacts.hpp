@@ -12,7 +12,7 @@
 
 namespace thaw {
 
-/// Pairs of a sheet and another object, by name, with a more severe warning.
+/// Pairs of a sheet and another object, by name, that already have a more severe warning.
 using ReportedPairs = std::set<std::pair<std::string, std::string>>;
 
 /// Appends a warning for each sheet that starts within contact distance of an obstacle, body, oriented body

@@ -13,8 +13,9 @@ namespace thaw {
 namespace {
 
 constexpr double thickest = 3;  // in units of the vertex spacing
-constexpr double deep = 0.5;    // fraction of the thickness: static contacts are pressed in by less
-// Fraction of the point contact distance: where surfaces cross, few points are nearer than half of it.
+constexpr double deep = 0.5;    // fraction of the thickness; static contacts are less deep
+// Fraction of the contact distance of points. If surfaces cross, few points are closer than half the
+// distance.
 constexpr double close = 0.6;
 
 /// Names of a body and its rows, and its contact.
@@ -23,7 +24,8 @@ struct RowOwner {
   std::string name;
   const char* rows;
   double thickness;                  // m, contact distance to an obstacle
-  std::string shrinkWrapTargetName;  // target of its wrap, which pulls rows out as well as on
+  std::string shrinkWrapTargetName;  // target of its shrink-wrap, which pulls rows onto the surface from both
+                                     // sides
 };
 
 std::string counted(std::int64_t n, std::int64_t all, const RowOwner& who) {
@@ -64,7 +66,7 @@ void warnOfPlaces(const World& w, const BodyTypeRows& rows, const std::vector<Ro
     for (std::size_t k = 0; k < w.walls.list.size(); k++)
       if (w.walls.list[k].isImage()) counts[w.walls.list[k].imageOf] += std::exchange(counts[k], 0);
 
-  // a cloth through a ball stays there: contact pushes vertices to the nearest side
+  // A cloth through a ball stays there, since contact pushes vertices to the nearest side.
   const auto warnOfInside = [&](const RowOwner& who, const std::string& text, const Body& body) {
     if (!solidAt(w.scene.materials[static_cast<std::size_t>(body.material)], body.temperature))
       warnings.push_back(
@@ -101,7 +103,7 @@ void warnOfPlaces(const World& w, const BodyTypeRows& rows, const std::vector<Ro
 struct Other {
   const std::vector<Vec3d>* places;  // positions of all its rows
   std::string name;
-  double width;  // m: two bodies touch at the mean of their widths
+  double width;  // m; two bodies touch at the mean of their widths
 };
 
 /// Warns about rows that start deep in contact with an earlier body of `others`. first: index of the first

@@ -14,8 +14,8 @@ namespace thaw {
 
 /// Checks sampled bodies before the first step and returns warnings about
 /// - sheets that are clamped as a whole, or far thicker than their vertex spacing;
-/// - vertices and particles inside a liquid body (`shapes`: of Scene::bodies); inside a solid one they are a
-/// problem unless numerics.overlap is "keep";
+/// - vertices and particles inside a liquid body (`shapes`: of Scene::bodies); inside a solid body they are
+/// an error unless numerics.overlap is "keep";
 /// - rows deep in contact with an obstacle, a sheet or an oriented body (`oriented`: positions of all their
 /// particles);
 /// - sheets within contact distance of anything (start_contacts.hpp).

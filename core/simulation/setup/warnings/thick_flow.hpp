@@ -14,8 +14,8 @@ namespace thaw {
 /// its explicit step limit. Requires: prepareWorld.
 std::vector<std::string> flowLawLines(const Scene& scene, const Modules& modules);
 
-/// Returns a warning for each such liquid whose largest viscosity makes explicit steps more than four times
-/// shorter than sound does: the implicit solver has no such limit. limits: of the materials.
+/// Returns a warning for each liquid with a flow law whose largest viscosity requires explicit steps below a
+/// quarter of the sound limit. The implicit solver has no such limit. limits: of the materials.
 std::vector<SceneWarning> thickFlows(const Scene& scene, const Modules& modules, const StepLimits& limits);
 
 }  // namespace thaw

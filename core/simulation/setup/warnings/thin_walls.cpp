@@ -12,7 +12,7 @@ namespace thaw {
 namespace {
 
 constexpr double mostLookedAt = 20000;  // particles per body
-constexpr double leastShare = 0.02;     // fraction in thin walls; sharp edges do not count
+constexpr double leastShare = 0.02;     // smallest reported fraction in thin walls; it excludes sharp edges
 
 /// Returns true if something other than body b is liquid, at the start or later.
 bool othersAreLiquid(const Scene& s, const Modules& m, std::size_t b) {
@@ -39,7 +39,7 @@ struct WallThere {
   }
 };
 
-/// Returns the thickness (m) within a hundredth of `most`, the upper limit.
+/// Returns the thickness (m), at most `most`, with an error of up to a hundredth of `most`.
 double thicknessAt(const SignedDistance& shape, const Vec3d& x, double most) {
   const WallThere wall(shape, x, most);
   double low = wall.depth, high = most;
@@ -64,7 +64,7 @@ std::vector<SceneWarning> thinWalls(const World& w,
   for (std::size_t b = 0; b < n; b++) wanted[b] = othersAreLiquid(s, w.modules, b);
   const double least = leastWall * s.spacing * (1 - 1e-6);
   std::vector<std::int64_t> counts(2 * n, 0);  // checked, thin
-  std::vector<double> first(n, -never);        // lowest number of a thin one, negated
+  std::vector<double> first(n, -never);        // lowest number of a particle in a thin wall, negated
   std::vector<Vec3d> place(n);
   for (std::size_t i = 0; i < p.owned; i++) {
     const std::size_t b = p.body[i];

@@ -11,13 +11,13 @@
 
 namespace thaw {
 
-/// Thickness in spacings of a wall that holds liquid. A solid responds with the liquid's own pressure, and
-/// one layer of particles does not raise it, so liquid passes.
+/// Minimum thickness, in spacings, of a wall that retains liquid. A solid responds with the liquid's own
+/// pressure, and a single layer of particles does not raise this pressure, so liquid passes through.
 constexpr double leastWall = 2;
 
-/// Returns a warning, with place and thickness, for each initially solid body with walls thinner than
-/// `leastWall`, if something else is liquid or melts. It checks about 20,000 particles per body at most,
-/// chosen by id. particles: by body. The same on any number of ranks. Collective.
+/// Returns a warning for each initially solid body with walls thinner than `leastWall`, if something else is
+/// liquid or melts. The warning contains a position and the thickness. It checks at most about 20,000
+/// particles per body, chosen by id. particles: by body. The same on any number of ranks. Collective.
 std::vector<SceneWarning> thinWalls(const World& world,
                                     const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
                                     const std::vector<std::int64_t>& particles, Reducer& all);
