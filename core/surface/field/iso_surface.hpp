@@ -8,8 +8,8 @@
 
 namespace thaw {
 
-/// Newton's step onto the iso-surface, or onto an offset of `isoOffset` (m): the outward direction and the
-/// distance along it (m, clamped to `longest`). Returns nothing where the gradient is too small.
+/// Newton's step onto the iso-surface, or onto an offset of `isoOffset` (m) from it: outward unit direction,
+/// and distance along it (m, clamped to `longest`). isoStep returns nothing if the gradient is too small.
 struct IsoStep {
   Vec3d outward{};
   double out = 0;
@@ -18,7 +18,7 @@ std::optional<IsoStep> isoStep(const FieldSample& field, double particleSupport,
                                double longest);
 
 /// Projects n <= FieldProbe::most positions along the gradient onto a component's iso-surface and returns
-/// points and normals. Positions without a surface within `farthest` (m) yield nothing. `ownPosition`: see
+/// points and normals. Positions without a surface within `farthest` (m) give nothing. ownPosition: see
 /// FieldProbe::around. Changes the particles selected in the probe.
 void projectToIsoSurface(FieldProbe& probe, std::uint64_t component, const Vec3d& ownPosition,
                          const Vec3d* from, std::size_t n, double farthest,
