@@ -47,7 +47,7 @@ void updateEdgeEnds(SheetBodies& sheets, BondHalo& edges);
 /// is the gradient of the volume.
 Vec3d areaNormalOf(const SheetEdges& e, std::size_t solidIndex);
 
-/// Adds to Sheets::load, Sheets::energy and SheetBodies::slope. Sets Sheets::areaNormal, and SheetPart::now
+/// Adds to Sheets::load and energy, and to SheetBodies::slope. Sets Sheets::areaNormal, and SheetPart::now
 /// for parts with volume stiffness. Collective.
 void addInnerForces(SheetBodies& sheets, const Scene& scene, Halos halos);
 
