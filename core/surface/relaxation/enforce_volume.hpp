@@ -25,8 +25,8 @@ struct VolumeMove {
 /// the start. Nearly frozen components (less than 0.03 of the area liquid) without mesh detail move as a
 /// whole, so they keep their shape. The tolerance is 0.001 of V_target, 0.005 for frozen components.
 /// Components of fewer than twelve surfels, solids that never were liquid, and surfaces with a large hole do
-/// not move. With `start`, grown solids are corrected once and keep their position afterwards. `moves`:
-/// state of the calls of one update for each component; empty at the first. Requires: measured
+/// not move. With `start`, grown solids are corrected once and keep their position afterwards. moves:
+/// state of the calls in one update for each component, empty at the first call. Requires: measured
 /// Surface::components. Not collective.
 void offsetToVolume(Surface& surface, const Bins& surfelBins, double weight, double particleSpacing,
                     bool start, std::vector<VolumeMove>& moves);

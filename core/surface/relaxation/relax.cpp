@@ -227,8 +227,8 @@ Motion exchangeMotion(Surface& s, SurfaceHalos halos, RelaxTools& r, const Motio
 }
 
 /// Damping of moves. Normal to the surface, most surfels stop after a few iterations. Along the surface, long
-/// waves of density would keep them in motion, hence K05's damping. At the rims of a splash, surfels would
-/// also keep moving normal to the surface. Their motion after easeAfter continues in the next update.
+/// waves of density would keep them in motion, which K05's damping prevents. At the rims of a splash, surfels
+/// would also keep moving normal to the surface. Their motion after easeAfter continues in the next update.
 struct Damping {
   double along = 1, across = 1;
   void advance(std::int64_t iteration) {

@@ -14,7 +14,7 @@ namespace thaw {
 
 namespace {
 
-/// Surfel with a reference position, relative to a new surfel beside it.
+/// Surfel with a reference position (m), relative to a new surfel next to it.
 struct Follower {
   std::size_t row;
   Vec3d d;

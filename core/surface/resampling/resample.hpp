@@ -40,10 +40,10 @@ inline constexpr double emptyAtSolid = 1.2, crowdedAtSolid = 0.2;
 using BirthPlace = std::function<bool(const Surfels& surfels, std::size_t i, SurfacePoint& p, bool border)>;
 
 /// Resamples in up to `rounds` rounds, each of which treats independent surfels at once:
-/// - Birth: if the circle of emptyAt * r_s around a surfel, on the surface, has a point without
-///   a surfel of its side within that distance, a surfel is born there. If all circles are
-///   covered, holes are smaller than that. With less than tooFew times the neighbours of the
-///   area law, the circle is that of emptyAtThin.
+/// - Birth: a circle of radius emptyAt * r_s around a surfel lies on the surface. A surfel is born at a
+///   point of the circle that has no surfel of its side within that radius. If all circles are covered, holes
+///   are smaller than that. With less than tooFew times the neighbours of the area law, the circle is that of
+///   emptyAtThin.
 /// - Death: surfels closer than crowdedAt radii to one that precedes them (by a hash) die.
 ///   With more than tooMany times the neighbours of the area law, the distance is that of
 ///   crowdedAtMany.

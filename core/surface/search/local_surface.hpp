@@ -32,7 +32,7 @@ struct Patch {
 
 /// Point on a patch's surface.
 struct SurfacePoint {
-  Vec3d position{}, normal{};
+  Vec3d position{}, normal{};  ///< m, unit
 };
 
 /// Returns the point of the patch at chord length `distance` (m) from its centre in the direction cosine *

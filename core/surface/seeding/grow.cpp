@@ -292,7 +292,7 @@ void renewSurfels(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t) {
         return c && c->surfels == 0 && c->particles > smallDrop;
       },
       rows);
-  // Surfels about to be deleted also pass on their colours, so that drops keep theirs.
+  // Surfels about to be deleted also pass on their colours, so drops keep their colours.
   inheritColours(w.scene, w.surface, halos, t, rows);
   removeSurfels(s, dead);
   addSurfels(f, rows, w.scene.seed, halos.all);
