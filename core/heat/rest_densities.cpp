@@ -48,7 +48,7 @@ double changeCompression(const RecordContext& x, Continuum& p, std::size_t i, do
   return workOfLateKick(x, p, i, before, dt);
 }
 
-/// Changes a density at rest so that the volume grows by `ratio`. Returns the growth of stored energy (J).
+/// Changes a rest density to increase the volume by `ratio`. Returns the increase of stored energy (J).
 double growVolume(const RecordContext& x, Continuum& p, std::size_t i, std::span<const double> pairEnergy,
                   double ratio, double dt) {
   const double before = compressionOf(x, p, i, liquidFraction(p, i));

@@ -20,7 +20,7 @@ VertexMap vertexMap(const SpringLaw& law, double dt) {
 
 void moveVertices(std::span<const VertexMap> maps, const VertexArrays& a, std::size_t begin,
                   std::size_t end) {
-  if (maps.size() == 1) {  // components are alike: one long loop
+  if (maps.size() == 1) {  // components have the same map: one long loop
     double *x = &a.position->x, *v = &a.velocity->x;
     const double *rest = &a.rest->x, *load = &a.load->x;
     const VertexMap m = maps[0];

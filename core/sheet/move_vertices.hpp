@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vertex update: one linear map of position and velocity for all vertices of a law, bound by memory
-// bandwidth.
+// Vertex update: one linear map of position and velocity for all vertices of a law. Memory bandwidth limits
+// its speed.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -26,9 +26,9 @@ struct VertexArrays {
   const std::uint16_t* law;  ///< index into maps; may be null with one map
 };
 
-/// Updates positions, and velocities up to the load after the step. With z = x - rest and r = f - K z: x +=
-/// qv v + qr r, v = vv v - vr K z + before f. Vertices are independent, so order and vectorisation
-/// do not change bits.
+/// Updates positions, and velocities except for the load after the step. With z = x - rest and r = f - K z: x
+/// += qv v + qr r, v = vv v - vr K z + before f. Vertices are independent, so order and vectorisation do not
+/// change bits.
 void moveVertices(std::span<const VertexMap> maps, const VertexArrays& a, std::size_t begin, std::size_t end);
 
 }  // namespace thaw

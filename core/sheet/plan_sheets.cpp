@@ -26,7 +26,8 @@ double largestFactor(const SheetBody& b, SheetFactor f, double from) {
 
 namespace {
 
-/// Returns the largest contact speed (m/s) of a vertex: its own, of a fall through the domain, of obstacles.
+/// Returns the largest contact speed (m/s) of a vertex, from its own motion, a fall through the domain, and
+/// obstacles.
 double speedOf(const Scene& s, const SheetBody& b) {
   double fastest = length(b.velocity) + length(b.wind);
   for (const Obstacle& o : s.obstacles)
@@ -36,8 +37,8 @@ double speedOf(const Scene& s, const SheetBody& b) {
   return fastest + fallSpeed(s.domain);
 }
 
-/// Returns the contact rate for which a vertex penetrates at most half of the thickness at the scene's speeds
-/// and a tenth under its pressures.
+/// Returns the contact rate (1/s) for which a vertex penetrates at most half of the thickness (m) at the
+/// scene's speeds, and at most a tenth under its pressures.
 double contactRateOf(const Scene& s, const SheetBody& b, double thickness) {
   const auto most = [&](SheetFactor f) {
     return std::abs(b.*sheetCoefficients[placeOf(f)].value) * largestFactor(b, f);
@@ -51,7 +52,7 @@ double contactRateOf(const Scene& s, const SheetBody& b, double thickness) {
                    2 * std::sqrt(most(SheetFactor::Stiffness) / mass), 1.0});
 }
 
-/// Mean factor of a spring's two vertices.
+/// Computes the mean factor of a spring's two vertices.
 struct SpringFactors {
   const std::vector<SheetLaw>& laws;
   const std::vector<std::uint16_t>& law;  // per vertex
@@ -82,12 +83,12 @@ std::vector<SheetHinge> hingesOf(const SheetBody& b, const SheetPlan& plan, cons
   std::sort(all.begin(), all.end(), [](const SheetHinge& p, const SheetHinge& q) {
     return p.from != q.from ? p.from < q.from : p.to < q.to;
   });
-  // two edges of a very coarse mesh may share the vertices across: keep one bond
+  // two edges of a very coarse mesh may share the vertices across: one bond is kept
   all.erase(
       std::unique(all.begin(), all.end(),
                   [](const SheetHinge& p, const SheetHinge& q) { return p.from == q.from && p.to == q.to; }),
       all.end());
-  std::erase_if(all, [&](const SheetHinge& h) {  // no hinge parallel to an edge
+  std::erase_if(all, [&](const SheetHinge& h) {  // no hinge coincides with an edge
     for (std::uint32_t k = t.first[h.from]; k < t.first[h.from + 1]; k++)
       if (t.ring[k].to == h.to) return true;
     return false;
@@ -95,7 +96,8 @@ std::vector<SheetHinge> hingesOf(const SheetBody& b, const SheetPlan& plan, cons
   return all;
 }
 
-/// Sets reach, rate and area of contact with triangles. Particles count as spheres of one spacing.
+/// Sets reach, rate and area of contact by triangles. Particles count as spheres with a diameter of one
+/// spacing.
 /// The sheet is 0.8 spacings thick unless the scene gives its thickness.
 void planFaces(const Scene& s, const SheetBody& b, SheetPlan& plan) {
   const double thickness = b.thickness > 0 ? b.thickness : 0.8 * s.spacing;
@@ -106,7 +108,8 @@ void planFaces(const Scene& s, const SheetBody& b, SheetPlan& plan) {
   plan.faceArea = area / static_cast<double>(plan.topology.area.size());
 }
 
-/// Contact mass (kg/m^2); without mass it is equivalent to damping or stiffness at this rate.
+/// Returns the contact mass (kg/m^2). Without mass, it is equivalent to damping or stiffness at this rate
+/// (1/s).
 double contactMassOf(const SpringLaw& l, double rate) {
   return l.mass > 0 ? l.mass : l.damping > 0 ? l.damping / rate : l.stiffness / (rate * rate);
 }
@@ -146,7 +149,7 @@ double sheetThickness(const Scene& s, const SheetBody& b) {
 double expectedSheetSpeed(const Scene& s) {
   double most = 0;
   for (const SheetBody& b : s.sheets) {
-    // speed from a pressure over a distance
+    // speed that a pressure causes over a distance
     const auto pushed = [&](double pressure, double over) {
       return b.mass > 0 ? std::sqrt(2 * pressure * over / b.mass) : b.damping > 0 ? pressure / b.damping : 0;
     };
@@ -164,7 +167,7 @@ double sheetReach(const Scene& s) {
   for (const SheetBody& b : s.sheets) {
     const double own = sheetThickness(s, b);
     reach = std::max({reach, own, own + (b.attraction > 0 ? b.attractionRange : 0), 0.5 * (own + s.spacing)});
-    // without neighbour search cells only partition sums: some vertices each
+    // without neighbour search, cells only partition sums, so each has some vertices
     if (!hasContinuum(s) && s.oriented.empty() && !sheetsInteract(s))
       reach = std::max(reach, 4 * spacingOf(s, b));
   }
@@ -245,8 +248,8 @@ void refusePeriodicSides(const Scene& s, SceneProblems& problems) {
                    "sheets with periodic sides are not supported; expected open sides or walls");
 }
 
-/// Appends the laws of a sheet and its regions, and sets the law of each vertex: that of the last region
-/// around it. Throws ShapeError.
+/// Appends the laws of a sheet and its regions. Sets the law of each vertex, from the last region that
+/// contains it. Throws ShapeError.
 void planLaws(const Scene& s, std::size_t n, const MeshLoader& load, SheetPlan& plan,
               std::vector<SheetLaw>& laws) {
   const SheetBody& b = s.sheets[n];
@@ -273,7 +276,7 @@ void planEdges(const SheetBody& b, const SpringFactors& factor, SheetPlan& plan)
   double edges = 0;
   for (std::uint32_t v = 0; v + 1 < t.first.size(); v++)
     for (std::uint32_t k = t.first[v]; k < t.first[v + 1]; k++) {
-      // both ends compute the same bits
+      // the order gives the same bits at both ends
       const std::uint32_t a = std::min(v, t.ring[k].to), c = std::max(v, t.ring[k].to);
       const Vec3d d = plan.mesh.vertices[c] - plan.mesh.vertices[a];
       edges += length(d);
@@ -286,7 +289,7 @@ void planEdges(const SheetBody& b, const SpringFactors& factor, SheetPlan& plan)
   plan.edgeForces = b.warp > 0 || b.weft > 0 || b.shear > 0 || b.bending > 0;
 }
 
-/// Returns whether the scene has something that a sheet can touch.
+/// Returns whether the scene has anything that a sheet can touch.
 bool canTouch(const Scene& s, const SheetBody& b) {
   bool touches = b.selfContact || s.sheets.size() > 1 || !s.obstacles.empty() || !s.bodies.empty() ||
                  !s.emitters.empty() || !s.oriented.empty() || b.repulsion > 0 || b.attraction > 0;
@@ -295,7 +298,7 @@ bool canTouch(const Scene& s, const SheetBody& b) {
   return touches;
 }
 
-/// Sets contact distances, rates and masses. Requires: edges. laws: of this sheet.
+/// Sets contact distances, rates and masses. Requires: edges. laws: laws of this sheet.
 void planContact(const Scene& s, std::size_t n, SheetPlan& plan, std::span<SheetLaw> laws) {
   const SheetBody& b = s.sheets[n];
   plan.thickness = sheetThickness(s, b);

@@ -6,7 +6,7 @@
 namespace thaw {
 namespace {
 
-/// Coefficients with a factor in the earlier region and none in the later one: "warp, damping".
+/// Returns the coefficients with a factor in the earlier region but none in the later one: "warp, damping".
 std::string lostFactors(const SheetRegion& earlier, const SheetRegion& later) {
   std::string lost;
   for (std::size_t f = 0; f < sheetFactors; f++)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Overlapping regions of a sheet: all factors of the later one apply.
+// Overlapping regions of a sheet. All factors of the later region apply.
 #pragma once
 #include "core/geometry/basic/signed_distance.hpp"
 #include "core/scene/scene_warning.hpp"
@@ -7,8 +7,8 @@
 
 namespace thaw {
 
-/// Returns a warning for each pair of regions that share vertices, if the later one resets factors of the
-/// earlier one. The same on all ranks.
+/// Returns a warning for each pair of regions that share vertices, if the later region resets factors of the
+/// earlier one. The result is the same on all ranks.
 std::vector<SceneWarning> overlapsOfRegions(const SheetBodies& sheets, const Scene& scene,
                                             const MeshLoader& load);
 

@@ -27,7 +27,7 @@ SpringLaw lawNow(const Scene& scene, const Clock& clock, const SheetLaw& l, doub
           l.law.stiffness * b.factorAt(SheetFactor::Stiffness, time)};
 }
 
-/// Returns the law of the least stable next step: least damping and largest stiffness.
+/// Returns the law for the least stable case of the next step: smallest damping and largest stiffness.
 SpringLaw leastStableLaw(const Scene& scene, const Clock& clock, const SheetLaw& l) {
   const SheetBody& b = scene.sheets[l.sheet];
   const double until = clock.time + 1.1 * clock.dt;
@@ -35,7 +35,7 @@ SpringLaw leastStableLaw(const Scene& scene, const Clock& clock, const SheetLaw&
           l.law.stiffness * b.inTime[placeOf(SheetFactor::Stiffness)].most(clock.time, until)};
 }
 
-/// Records the work of changing rest springs between two times (s), at the current positions.
+/// Records the work of changes of the rest springs between two times (s), at the current positions.
 void recordRestChange(const SheetView& w, double from, double to) {
   std::vector<double> half;
   bool any = false;
@@ -85,24 +85,25 @@ void applyPlasticFlow(SheetBodies& sheets, const Scene& scene, double time) {
   }
 }
 
-/// Returns the damping load whose work counts as dissipation. It excludes dashpots and friction of vertices
-/// without mass: their velocity alternates with these forces, so force times velocity is not their work.
+/// Returns the damping load whose work counts as dissipation. For vertices without mass, it excludes dashpots
+/// and friction. Their velocity alternates with these forces, so force times velocity is not the work.
 Vec3d loadForDamping(const Sheets& s, std::size_t i, const SpringLaw& law) {
   return s.dissipativeForce.active && !(law.mass > 0) ? s.load[i] - s.dissipativeForce[i] : s.load[i];
 }
 
 /// Records dissipation of dashpots and friction over half of a step, with the displacement (m) of that half.
-/// A force acts half in the step that ends with it and half in the next, so it must not be recorded earlier.
+/// A force acts for half of the step that ends with it, and for half of the next, so it must not be recorded
+/// earlier.
 void recordDissipation(Sheets& s, std::size_t i, const SpringLaw& law, const Vec3d& way) {
   if (s.dissipativeForce.active && law.mass > 0)
     s.dissipated[i] -= s.area[i] * dot(s.dissipativeForce[i], way);
 }
 
-/// Records a vertex's dissipation at the end of a step: dashpots and friction, and with damping the
-/// difference of energy and work of the load.
+/// Records a vertex's dissipation at the end of a step: dashpots and friction. With damping, it also includes
+/// the work of the load minus the change of energy.
 void recordKickDissipation(Sheets& s, std::size_t i, const SpringLaw& law, double dt) {
   const Vec3d& v = s.velocity[i];
-  // damping is the missing work over the same displacement
+  // the dissipation of damping is the missing work over the same displacement
   recordDissipation(s, i, law, law.damping > 0 ? 0.5 * s.moved[i] : 0.5 * dt * v);
   if (law.damping > 0)
     s.dissipated[i] += s.area[i] *
@@ -118,7 +119,7 @@ void moveSheets(const SheetView& w, double dt) {
   for (const SpringLaw& l : laws) maps.push_back(vertexMap(l, dt));
   recordConstraintImpulse(w.sheets, w.ledger, -1, dt);
   const double begin = w.clock.time, middle = begin + 0.5 * dt, end = begin + dt;
-  recordRestChange(w, begin, middle);  // over the step coefficients are those of its middle
+  recordRestChange(w, begin, middle);  // over the step, coefficients have their values at its middle
   recordFactorWork(w.sheets, w.scene, w.ledger, begin, end);
   const bool simple = !s.flow.active && !s.clamped.active && !s.moved.active && !s.dissipativeForce.active;
   if (simple) {
@@ -139,7 +140,8 @@ void moveSheets(const SheetView& w, double dt) {
     recordDissipation(s, i, law, law.damping > 0 ? 0.5 * moved : 0.5 * dt * v);
     if (!s.moved.active) continue;
     s.moved[i] = moved;
-    // drag over the step is the missing energy and work of the load; kickSheets records the second half
+    // the dissipation of damping is the load's work minus the change of energy; kickSheets records the second
+    // half
     if (law.damping > 0)
       s.dissipated[i] += s.area[i] *
                          (0.5 * law.mass * dot(v, v) + 0.5 * law.stiffness * (dot(z, z) - dot(z1, z1)) +
@@ -152,7 +154,7 @@ void moveSheets(const SheetView& w, double dt) {
 
 void kickSheets(const SheetView& w, double dt) {
   Sheets& s = w.sheets.rows;
-  // Laws of the step that ends now: the clock still shows its beginning.
+  // Laws of the step that ends now, since the clock still shows its beginning.
   const std::vector<SpringLaw> laws = lawsNow(w, dt);
   std::vector<double> after;
   for (const SpringLaw& l : laws) after.push_back(vertexMap(l, dt).after);
@@ -209,7 +211,7 @@ void loadSheets(const SheetView& w, Halos halos, PhaseTimes& times, double dt) {
   b.stiffest.assign(b.laws.size(), 0);
   b.slope.assign(s.owned, 0);
   b.fastest2 = b.largestAcceleration = b.stiffestParticle = b.closingRate = b.impactRate = 0;
-  // contacts need the current velocity: the load before the step approximates the load after it
+  // contacts need the current velocity, for which the load before the step approximates the load after it
   std::vector<double> after(b.laws.size(), 0);
   for (std::size_t l = 0; dt > 0 && l < b.laws.size(); l++)
     after[l] = vertexMap(lawNow(w.scene, w.clock, b.laws[l], dt), dt).after;
@@ -248,7 +250,7 @@ double sheetStepLimit(const SheetBodies& b, const Scene& scene, const Clock& clo
   double limit = never;
   for (std::size_t l = 0; l < b.stiffest.size(); l++) {
     if (!(b.stiffest[l] > 0)) continue;
-    // rounded up to one of 32 values an octave, so ranks of similar stiffness agree and the step does not
+    // rounded up to one of 32 values per octave, so ranks with similar stiffness agree and the step does not
     // fluctuate
     int e = 0;
     const double part = std::frexp(b.stiffest[l], &e), kappa = std::ldexp(std::ceil(part * 64) / 64, e);
@@ -272,11 +274,11 @@ double sheetStepLimit(const SheetBodies& b, const Scene& scene, const Clock& clo
                      4 * scene.numerics.cflElastic / std::sqrt(std::ldexp(std::ceil(part * 64) / 64, e)));
   }
   if (b.fastestDrag > 0) limit = std::min(limit, dragInAStep / b.fastestDrag);
-  // nothing may pass through anything in a step
+  // no vertex may pass through another object in one step
   if (b.fastest2 > 0 || b.largestAcceleration > 0) {
     double thin = never;
     for (const SheetPlan& p : b.plans)
-      // both of two sheets may approach
+      // two sheets may both approach
       if (p.touches)
         thin = std::min(
             {thin, (meshesTouch(scene) ? 0.5 : 1) * p.thickness, p.byFaces ? p.faceReach : never});

@@ -39,7 +39,7 @@ void resumeSurface(Surface& surface, SurfaceHalos halos, SurfaceTools& t) {
 }
 
 void balanceSurface(Surface& s, SurfaceHalos halos, SurfaceTools& t, bool force) {
-  // There may be births and deaths since the last sort.
+  // Births and deaths may have occurred since the last sort.
   sortInPlace(s.grid, s.surfels, s.surfelCells, t.sort);
   partitionByRows(s.surfels, s.surfelCells, halos, force);
 }

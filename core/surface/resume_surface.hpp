@@ -7,14 +7,16 @@
 
 namespace thaw {
 
-/// Sorts surfels of any order and partitions the domain by them. The next update migrates them. Collective.
+/// Sorts surfels, which may have any order, and partitions the domain by surfel counts. The next update
+/// migrates the surfels. Collective.
 void resumeSurface(Surface& surface, SurfaceHalos halos, SurfaceTools& tools);
 
 /// Repartitions the domain if the halo requires it. Surfel counts are used as weights, since updates are
 /// too rare to time. Requires: no update in progress. force: always partition. Collective.
 void balanceSurface(Surface& surface, SurfaceHalos halos, SurfaceTools& tools, bool force);
 
-/// Makes the first partition, before there are surfels, by gathered, unplaced particle copies. Collective.
+/// Makes the first partition, before surfels exist, by gathered particle copies that are not placed yet.
+/// Collective.
 void partitionByParticles(Surface& surface, SurfaceHalos halos, SurfaceTools& tools);
 
 /// Clears surfels, components, events and other state. Radii and grid remain.

@@ -40,7 +40,7 @@ std::vector<BodyPieces> findStartPieces(const SurfaceView& w, SurfaceHalos halos
   std::sort(labels.begin(), labels.end());
   labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
   std::vector<BodyPieces> found;
-  // Labels contain the id of a particle, so that bodies are consecutive.
+  // Labels contain the id of a particle, so labels of one body are consecutive.
   for (const std::uint64_t label : labels) {
     const std::size_t body = sourceOf(label - 1);
     if (found.empty() || found.back().body != body) found.push_back({body, 0});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bodies whose particles form several pieces at the start: thin bodies, oblique to the lattice.
+// Bodies whose particles form several pieces at the start, such as thin bodies oblique to the lattice.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -10,10 +10,11 @@
 
 namespace thaw {
 
-/// Returns bodies, ascending, with adjacent pieces, and the number of these. Pieces are sets of particles
-/// that no chain of links (surface.link_length) connects; adjacent ones are less than two spacings apart.
-/// Thus no layer of the lattice is missing between them. Requires: gathered particles without components.
-/// Ensures: they still have none. Collective.
+/// Returns the bodies with adjacent pieces, ascending, and the numbers of these pieces. Pieces are sets of
+/// particles without a chain of links (surface.link_length) between them. Adjacent pieces are less than two
+/// spacings apart, so no layer of the lattice is missing between them. Requires: gathered particles without
+/// components.
+/// Ensures: the particles still have no components. Collective.
 std::vector<BodyPieces> findStartPieces(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tools);
 
 }  // namespace thaw

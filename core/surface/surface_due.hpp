@@ -11,11 +11,12 @@
 namespace thaw {
 
 /// Returns the squared largest distance (m^2) between a particle of this rank and its position at the last
-/// update, by minimum images. New particles do not count, nor do small drops, whose surface is rebuilt in
+/// update, by minimum images. New particles are excluded, as are small drops, whose surface is rebuilt in
 /// each update. Not collective: the time-step reduction takes the maximum over ranks.
 double largestSurfaceMove2(const CellGrid& grid, const Continuum& particles, const Surface& surface);
 
-/// Returns whether an update is due after a step. move2 (m^2): maximum over ranks. The caller handles frames.
+/// Returns whether an update is due after a step. move2: m^2, largestSurfaceMove2 over all ranks. The caller
+/// handles frames.
 /// Requires: the surface module.
 bool surfaceDue(const Scene& scene, const Clock& clock, const CellGrid& grid, const Surface& surface,
                 double move2);

@@ -46,8 +46,8 @@ void enforceVolume(const SurfaceView& w, SurfaceHalos halos, TopologyTools& t, b
   }
 }
 
-/// Passes the offset of a component to its separated parts, limited to leastOffset: a further level rise
-/// belongs to the component itself.
+/// Passes the offset of a component to its separated parts. The offset is limited to leastOffset, because a
+/// further level rise belongs to the component itself.
 void inheritIsoOffset(Surface& s, double spacing, const std::vector<SurfaceComponent>& before,
                       const ComponentTools& c) {
   const auto find = [&](std::uint64_t label) {

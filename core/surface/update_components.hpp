@@ -8,15 +8,15 @@
 namespace thaw {
 
 /// Splits and merges components; deletes or moves surfels inside others (splitComponents, mergeComponents).
-/// Surfels and particle copies may be on any rank, unsorted, without ghosts. Afterwards both are on
-/// their owners and sorted, without ghosts, and components are measured. To be called before resampling, so
-/// that seams close and drops without surfels get some in the same update. The same bits on any number of
-/// ranks. Collective.
+/// Surfels and particle copies may be on any rank, unsorted, without ghosts. Afterwards, they are sorted on
+/// their owners, without ghosts, and components are measured. Call this before resampling: seams then close,
+/// and drops without surfels get surfels, in the same update. The bits are the same on any number of ranks.
+/// Collective.
 void splitAndMerge(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tools);
 
 /// Measures Surface::components and Surfels::area, then enforces volumes if the scene requires it and the
 /// surface is complete. start: the surface was just completed. Surfels may be on any rank, unsorted.
-/// Afterwards both tables are on their owners and sorted, without ghosts. Collective.
+/// Afterwards, surfels and particle copies are sorted on their owners, without ghosts. Collective.
 void measureSurface(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tools, bool start = false);
 
 /// Splits, merges and measures components.

@@ -27,8 +27,8 @@ void placeAll(Surface& s, SurfaceHalos halos, SurfaceTools& t) {
   placeParticles(s, halos, t);
 }
 
-/// Labels the components of particles before there are surfels. Bodies too thin for their particles are
-/// connected by temporary surfels, sampled for this only.
+/// Labels the components of particles before surfels exist. Temporary surfels connect bodies that are too
+/// thin for their particles.
 void labelStart(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   t.pieces = findStartPieces(w, halos, t);
@@ -41,8 +41,8 @@ void labelStart(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t) {
   placeRows(s.grid, halos.surfels, s.surfels, s.surfelCells, t.sort);
 }
 
-/// Resamples sampled surfels at the start, since otherwise the first update would bear and delete surfels of
-/// a body at rest. With adaptive density, radii approach the curvature's target by half in each call.
+/// Resamples sampled surfels at the start. Otherwise, the first update would create and delete surfels of a
+/// body at rest. With adaptive density, each call halves the distance of radii to the target from curvature.
 void resampleStart(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t) {
   const SurfaceCounters before = w.surface.counters;
   const bool adapt = w.scene.surface.adapt > 0;
@@ -65,7 +65,7 @@ void enforceStartVolume(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& 
   measureSurface(w, halos, t, true);
 }
 
-/// Removes the reference of surfels that relaxed beside a seam or a crack.
+/// Removes the reference of surfels that relaxed next to a seam or a crack.
 void dropReferences(Surfels& f) {
   if (!f.relaxesOnce.active || !f.hasReference.active) return;
   for (std::size_t i = 0; i < f.owned; i++)
@@ -114,7 +114,7 @@ void updateSurface(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t) {
   advanceParticles(s);
   placeAll(s, halos, t);
   t.times.lap(SurfacePhase::Place);
-  // before resampling, which closes seams
+  // splitting and merging come before resampling, which closes seams
   splitAndMerge(w, halos, t);
   listIsoOffsets(w.scene, w.surface, t.relax.isoOffset);
   t.times.lap(SurfacePhase::Components);
@@ -123,8 +123,8 @@ void updateSurface(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t) {
   renewSurfels(w, halos, t);
   const std::int64_t resurfaced = resurfaceExposed(w, halos, t);
   t.times.lap(SurfacePhase::Growth);
-  // Resampling closes seams of merges and new faces before the iterations; holes from motion are closed
-  // afterwards.
+  // Before the iterations, resampling closes seams of merges and new faces. Afterwards, it closes holes from
+  // motion.
   if (s.counters.splits + s.counters.merges > s.changesBefore || resurfaced > 0)
     resampleOnParticles(w, halos, t, 24);
   t.times.lap(SurfacePhase::Resampling);

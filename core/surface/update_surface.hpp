@@ -10,8 +10,8 @@ namespace thaw {
 /// Makes the first surface of the bodies. Requires: Surface without surfels; particles in place. Collective.
 void startSurface(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tools);
 
-/// Moves the surfels with the particles, relaxes them, and splits and merges components. The same bits on any
-/// number of ranks. Collective.
+/// Moves the surfels with the particles, relaxes the surfels, and splits and merges components. The bits are
+/// the same on any number of ranks. Collective.
 void updateSurface(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tools);
 
 }  // namespace thaw

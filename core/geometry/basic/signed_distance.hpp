@@ -15,7 +15,7 @@
 namespace thaw {
 
 struct Bounds {
-  Vec3d min{}, max{};
+  Vec3d min{}, max{};  ///< m
 };
 /// Returns true if x lies within `reach` (m) of the box along each axis.
 inline bool nearBounds(const Bounds& b, const Vec3d& x, double reach) {

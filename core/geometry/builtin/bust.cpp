@@ -95,7 +95,7 @@ double plinth(const Vec3d& x) {
 
 double queen(Vec3d x) {
   x.x = std::abs(x.x);
-  constexpr double larger = 1.2;  // scale of the head over the shoulders, so that particles resolve it
+  constexpr double larger = 1.2;  // scale of the head over the shoulders, for particles to resolve the head
   const double h = larger * head({x.x / larger, x.y / larger, 0.43 + (x.z - 0.365) / larger});
   return blend(blend(torso(x), h, 0.030), plinth(x), 0.012);
 }

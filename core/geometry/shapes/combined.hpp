@@ -40,7 +40,7 @@ class CombinedDistance final : public SignedDistance {
 struct Placement {
   double scale = 1;
   Mat3d rotation = identity3<double>();
-  Vec3d move{};
+  Vec3d move{};  ///< m
 };
 
 /// Returns the placement of `part`, the shape without its placement. Throws ShapeError.

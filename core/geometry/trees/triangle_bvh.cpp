@@ -37,7 +37,7 @@ struct TriangleBvh::Builder {
   struct Item {
     Box box;
     std::uint32_t triangle = 0;
-  };  // partitioned by value, so that items of a node are contiguous
+  };  // partitioned by value, so items of a node are contiguous
   TriangleBvh& tree;
   const TriangleMesh& mesh;
   AlignedVector<Item> items, second;  // second: scratch space for the upper halves

@@ -9,8 +9,8 @@ namespace thaw {
 /// Candidate position of a new particle of an oriented body.
 struct BirthSite {
   std::size_t body = 0;
-  Vec3d place{};
-  double apart = 0;  ///< m, least distance from obstacles
+  Vec3d place{};     ///< m
+  double apart = 0;  ///< m, smallest allowed distance from obstacles
 };
 
 /// Returns for each site of this rank whether it is blocked: by an obstacle closer than `apart`, or by a

@@ -7,7 +7,7 @@
 namespace thaw {
 
 struct EventDue {
-  double time;
+  double time;  ///< s
   std::size_t body, event;
 };
 

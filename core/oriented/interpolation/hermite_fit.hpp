@@ -10,7 +10,7 @@ namespace thaw {
 
 /// Interpolant of the points near one of them.
 struct HermitePiece {
-  Vec3d centre{};
+  Vec3d centre{};              ///< m
   double scale = 1;            ///< m, unit of lengths
   std::vector<Vec3d> points;   ///< 1, relative to the centre
   std::vector<double> weight;  ///< four per point: one for r^3, three for its gradient

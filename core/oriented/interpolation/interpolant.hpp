@@ -11,7 +11,7 @@ namespace thaw {
 
 /// Given points and their local interpolants; the same on all ranks.
 struct PointInterpolant {
-  std::vector<Vec3d> points, normals;
+  std::vector<Vec3d> points, normals;  ///< m, unit
   std::shared_ptr<const PointTree> tree;
   std::vector<HermitePiece> pieces;  ///< one per point; empty where the system is singular
   double apart = 0;                  ///< m, mean distance to the nearest neighbour
@@ -32,7 +32,7 @@ bool projectOnInterpolant(const PointInterpolant& given, Vec3d& place, Vec3d& no
 
 /// Thin plate through points (D77): height above the plane of best fit; see thinPlate.
 struct ThinPlate {
-  Vec3d origin{}, u{}, v{}, n{};
+  Vec3d origin{}, u{}, v{}, n{};     ///< m; unit vectors in the plane, and its normal
   std::vector<double> x, y, weight;  ///< m, coordinates of the points in the plane, and spline weights
   double constant = 0, perX = 0, perY = 0;
   double height(double px, double py) const;

@@ -119,8 +119,8 @@ PairPotential pairPotential(const OrientedBody& body, double spacing) {
   p.core = body.core * spacing;
   p.well = spacing;
   if (body.source == OrientedSource::Curve || !(p.attract > 0)) return p;
-  // bisection for the zero of the lattice's slope; a fixed number of iterations gives the same bits on all
-  // ranks If the well is too small, the lattice contracts (slope > 0).
+  // Bisection finds the zero of the lattice's slope. A fixed number of iterations gives the same bits on all
+  // ranks. If the well is too small, the lattice contracts (slope > 0).
   double low = 0.8 * spacing, high = 1.6 * spacing;
   for (int k = 0; k < 100; k++) {
     p.well = 0.5 * (low + high);

@@ -10,9 +10,9 @@ namespace thaw {
 
 /// Sampled points, one per particle, ordered by number; the same on all ranks.
 struct SampledPoints {
-  std::vector<Vec3d> places, normals;
-  std::vector<std::uint8_t> flags;  ///< Oriented::flags of given points and control points
-  std::vector<std::string> notes;   ///< repairs of meshes, one sentence each
+  std::vector<Vec3d> places, normals;  ///< m, unit
+  std::vector<std::uint8_t> flags;     ///< Oriented::flags of given points and control points
+  std::vector<std::string> notes;      ///< repairs of meshes, one sentence each
   double reach = 0;  ///< m, after thinning: largest distance of a surface position from the points; else 0
 };
 

@@ -16,9 +16,9 @@
 namespace thaw {
 namespace {
 
-constexpr double coarser = 0.75;  // particle spacings between vertices
+constexpr double coarser = 0.75;  // particle spacings between vertices, above which triangles are used
 
-/// Triangle near a cell, with rows and positions of its corners.
+/// Triangle near a cell, with rows and positions (m) of its corners.
 struct Face {
   std::uint32_t number;
   std::array<std::uint32_t, 3> row;
@@ -49,7 +49,7 @@ struct FaceContact {
   std::vector<Face> faces;
 
   /// Finds the triangles within reach of particles in this cell. All corners lie in cells adjacent to it and
-  /// to each other, so the owner of each finds the same.
+  /// to each other, so the owners of all corners find the same triangles.
   void facesNear(std::uint64_t key) {
     faces.clear();
     const Sheets& s = w.sheets.rows;
@@ -79,14 +79,14 @@ struct FaceContact {
   /// Contact geometry of a face and a particle.
   struct Near {
     const Face* face;
-    Vec3d shares, off;  ///< barycentric coordinates of the nearest point; m, from the particle to it
-    double depth;       ///< fraction of the reach
+    Vec3d shares, off;  ///< barycentric coordinates of the nearest point; vector (m) from the particle to it
+    double depth;       ///< 1, fraction of the reach
     Vec3d n;
   };
   bool near(const Face& f, const Vec3d& x, Near& found) const {
     if (x.x < f.low.x || x.y < f.low.y || x.z < f.low.z || x.x > f.high.x || x.y > f.high.y || x.z > f.high.z)
       return false;
-    // corners relative to the particle, so the bits are those of differences
+    // corners relative to the particle, so the bits depend only on differences
     const Vec3d a = f.x[0] - x, b = f.x[1] - x, c = f.x[2] - x, u = sharesOfNearest(a, b, c, {}),
                 d = u.x * a + u.y * b + u.z * c;
     const double r = length(d), depth = 1 - r / plan.faceReach;
@@ -97,8 +97,8 @@ struct FaceContact {
 
   std::vector<Near> within;  ///< triangles within reach of the current particle
 
-  /// Lists the triangles within reach of particle j. Returns the deepest one, or null; among
-  /// equally deep ones, that with the smallest number.
+  /// Lists the triangles within reach of particle j. Returns the deepest triangle, or null. Of equally deep
+  /// triangles, it is the one with the smallest number.
   const Near* findWithin(std::size_t j) {
     within.clear();
     for (const Face& f : faces)
@@ -118,7 +118,7 @@ struct FaceContact {
     return v;
   }
 
-  /// Returns the friction (N) on the three corners of a face and on particle j. normal (N): contact force.
+  /// Returns the friction (N) on the three corners of a face and on particle j. normal: N, contact force.
   std::array<Vec3d, 4> faceFriction(std::size_t j, const Near& at, const TouchLaw& law, double normal) const {
     if (!(law.friction > 0)) return {};
     const Sheets& s = w.sheets.rows;
@@ -178,7 +178,7 @@ struct FaceContact {
             plan.faceReach};
   }
 
-  /// Moves heat between particle j and the sheet at this temperature (K). Returns the conductance (W/K).
+  /// Exchanges heat between particle j and the sheet at this temperature (K). Returns the conductance (W/K).
   double conduct(std::size_t j, double temperature) {
     Continuum& p = w.particles;
     if (!w.sheets.rows.temperature.active || !p.temperature.active || !p.heatFlow.active ||
@@ -196,7 +196,8 @@ struct FaceContact {
     return conductance;
   }
 
-  /// stiffest (1/s^2): increased to the squared rate of the contact, if that is larger.
+  /// Adds the contact of particle j with the sheet. stiffest: 1/s^2, maximum of its value and the contact's
+  /// squared rate.
   void touchParticle(std::size_t j, double& stiffest) {
     const Near* nearest = findWithin(j);
     if (!nearest) return;
@@ -238,8 +239,8 @@ struct FaceContact {
     w.sheets.stiffestParticle = std::max(w.sheets.stiffestParticle, stiffest);
   }
 
-  /// Adds the corners' fractions of the particle's contact: forces by the triangles' parts of the depth
-  /// gradient, energy and heat by those of its eighth power.
+  /// Adds the corners' fractions of the particle's contact. Forces are proportional to the triangles'
+  /// parts of the depth gradient, energy and heat to their parts of the depth's eighth power.
   void pushCorners(std::uint32_t j) {
     const Continuum& p = w.particles;
     Sheets& s = w.sheets.rows;
@@ -262,7 +263,7 @@ struct FaceContact {
         slope[i] += share * push.z;
         s.energy[i] += 0.5 * share * n.depth * numbers.x;
         // each corner uses its own temperature; fractions of the total heat could heat warm corners above the
-        // heat source
+        // source's temperature
         if (s.heatFlow.active) s.heatFlow[i] += share * n.depth * numbers.y * (numbers.z - s.temperature[i]);
       }
     }

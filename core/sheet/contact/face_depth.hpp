@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Depth of a particle in the triangles within reach, as one smooth number.
+// Depth of a particle in all triangles within reach, as one smooth value.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -8,21 +8,21 @@
 
 namespace thaw {
 
-/// Depth (sum of d_i^8)^(1/8) over all triangles within reach. Here d_i = reach - distance, in fractions of
-/// the reach, and n_i points from the particle to the nearest point of each.
+/// Depth (sum of d_i^8)^(1/8) over all triangles within reach. d_i = reach - distance, as a fraction of the
+/// reach. n_i points from the particle to the nearest point of triangle i.
 ///
-/// The depth in the nearest triangle has no continuous gradient. On a sagging sheet the nearest triangle
-/// changes within a step, and the force turns abruptly. This gains energy at any step size. The depth above
-/// is smooth. It equals the nearest one away from edges; it is 1.09 times that over an edge, 1.25 times over
-/// a vertex of six triangles. The stiffness grows with the square. The power 4 (1.19, 1.57) would need
-/// shorter steps.
+/// The depth in the nearest triangle has no continuous gradient. On a sagging sheet, the nearest triangle
+/// changes within a step, and the force turns abruptly. The sheet then gains energy at any step size. The
+/// depth above is smooth. Away from edges, it equals the depth in the nearest triangle. It is 1.09 times as
+/// large over an edge, and 1.25 times over a vertex of six triangles. The stiffness grows with the square of
+/// these factors. The power 4 (1.19, 1.57) would need shorter steps.
 struct FaceDepth {
   double sum = 0;        ///< sum of d_i^8
   double sumDepth7 = 0;  ///< sum of d_i^7
   double sumDepth6 = 0;  ///< sum of d_i^6
   Vec3d slopes{};        ///< sum of d_i^7 n_i
 
-  /// d^7, a triangle's part of the gradient up to a common factor.
+  /// Returns d^7, a triangle's part of the gradient up to a common factor.
   static double push(double d) {
     const double d2 = d * d;
     return d2 * d2 * d2 * d;
@@ -37,8 +37,8 @@ struct FaceDepth {
   double depth() const { return std::sqrt(std::sqrt(std::sqrt(sum))); }
   double perPush() const { return depth() / sum; }
   Vec3d slope() const { return slopes * perPush(); }
-  /// Bound of the gradient's change, over the depth: times E'(depth) it adds to E'' (gradient)^2 in a
-  /// bound of the force's slope. 0 if all triangles face the same way.
+  /// Returns a bound of the gradient's change, over the depth. A bound of the force's slope is E''
+  /// (gradient)^2 plus E'(depth) times this. It is 0 if all triangles have the same direction.
   double bend() const {
     const double d = depth();
     return 7 / d * std::max(0.0, sumDepth6 * d * d / sum - dot(slope(), slope()));

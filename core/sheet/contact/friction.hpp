@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Friction between nearest points at a distance, of a sheet's vertices with each other or with a particle.
-// Two opposite forces at a distance exert a torque. Forces on the four points, those of a rigid rotation,
-// balance it, and this rotation does not count as sliding. Angular momentum is therefore conserved, and the
-// power, friction times sliding, is never a gain.
+// Two opposite forces at a distance exert a torque. Forces of a rigid rotation on the four points balance
+// this torque, and this rotation does not count as sliding. Angular momentum is therefore conserved, and the
+// power (friction times sliding) is never positive.
 #pragma once
 #include <array>
 
@@ -13,15 +13,14 @@ namespace thaw {
 
 /// Four point masses as a rigid body about their centre of mass.
 struct RigidPoints {
-  std::array<Vec3d, 4> lever;  ///< m
+  std::array<Vec3d, 4> lever;  ///< m, from the centre of mass
   std::array<double, 4> mass;  ///< kg
   Mat3d inverse;               ///< 1/(kg m^2), inverse inertia
   bool there = false;          ///< false for collinear points
 };
 
 inline RigidPoints rigidPointsOf(const std::array<Vec3d, 4>& place, const std::array<double, 4>& mass) {
-  constexpr double inLine = 1e-12;  // relative determinant below which points are collinear and take no
-                                    // torque
+  constexpr double inLine = 1e-12;  // relative determinant below which points are collinear and get no torque
   RigidPoints t;
   t.mass = mass;
   double all = 0;
@@ -55,7 +54,9 @@ struct PointMotion {
   Vec3d v;                      ///< m/s, its rate
 };
 
-/// Returns the friction forces (N) on the four points. normal (N): contact force.
+/// Returns the friction forces (N) on the four points. share: barycentric weights of the nearest points,
+/// negative for the second body, with sum 0. apart: m, from the second body's nearest point to the first's,
+/// along n. v: m/s, rate of change of `apart`. normal: N, contact force.
 inline std::array<Vec3d, 4> frictionForces(const RigidPoints& t, const PointMotion& motion,
                                            const TouchLaw& law, double normal) {
   const auto& [velocity, share, apart, n, v] = motion;

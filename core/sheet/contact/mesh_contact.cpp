@@ -11,14 +11,15 @@
 namespace thaw {
 namespace {
 
-// Where layers lie on each other, a vertex is within reach of several triangles, and an edge of more edges.
-// Their number grows with the reach. Together they should be about as stiff as one contact. Within a reach
-// shorter than the edges there are few, and each must bear the load alone.
-constexpr double moreTriangles = 5, moreEdges = 16;  // for a reach of one mean edge length
-// Pairs come into reach within a step: the bound of stiffness is scaled by this, which halves the energy
-// error of contact.
+// In stacked layers, a vertex is within reach of several triangles, and an edge of even more edges. The
+// number of these pairs grows with the reach. Together, they should be about as stiff as one contact. If the
+// reach is shorter than the edges, there are few pairs, and each must bear the load alone.
+constexpr double moreTriangles = 5, moreEdges = 16;  // number of extra pairs for a reach of one mean edge
+                                                     // length
+// Pairs come into reach within a step. The bound of stiffness is scaled by this factor, which halves the
+// energy error of contact.
 constexpr double ahead = 2;
-constexpr double deepest = 0.1;  // fraction of the reach: closer pairs do not shorten the step further
+constexpr double deepest = 0.1;  // fraction of the reach; closer pairs do not shorten the step further
 
 struct MeshContact {
   SheetBodies& sheets;
@@ -29,8 +30,8 @@ struct MeshContact {
 
   double massOf(std::uint32_t i) const { return sheets.laws[s.law[i]].contactMass * s.area[i]; }
 
-  /// Returns the law between bodies of these masses (kg); `more` is the number of extra pairs for a reach of
-  /// one edge.
+  /// Returns the law between bodies of these masses (kg). more: number of extra pairs for a reach of one mean
+  /// edge length.
   TouchLaw lawOf(const MeshPair& p, double first, double second, double more) const {
     const std::size_t a = s.body[p.row[0]], b = s.body[p.row[3]];
     const SheetBody &x = scene.sheets[a], &y = scene.sheets[b];
@@ -104,7 +105,7 @@ struct MeshContact {
                          0.5 * (massOf(p.row[2]) + massOf(p.row[3])), moreEdges);
     law.mass *= crossed;
     const Touch t = touch(p, law);
-    // energy per sin^2 exerts a torque that turns the edges parallel
+    // the energy depends on sin^2, so a torque turns the edges parallel
     const double whole = t.energy / crossed, depth = p.reach - p.distance, least = std::min(la, lb);
     const Vec3d ofA = (2 * whole * cosine / la) * (b / lb - cosine * (a / la)),
                 ofB = (2 * whole * cosine / lb) * (a / la - cosine * (b / lb));

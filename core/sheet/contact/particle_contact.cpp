@@ -6,7 +6,7 @@
 namespace thaw {
 namespace {
 
-// Contact rate over the liquid's speed of sound per spacing.
+// Contact rate (1/s) over the liquid's speed of sound per spacing.
 constexpr double asLiquid = 1;
 
 }  // namespace

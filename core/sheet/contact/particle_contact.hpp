@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact stiffness between heavy continuum particles and a light sheet, if the scene gives none.
+// Contact stiffness between heavy continuum particles and a light sheet, if the scene gives no stiffness.
 #pragma once
 #include <span>
 
@@ -8,9 +8,10 @@
 
 namespace thaw {
 
-/// Sets SheetPlan::particleRate. The contact spring is sized for a light vertex; a heavier particle would
-/// pass through. A barrier (TouchLaw) beside the spring stops it within the contact distance at the scene's
-/// speeds. For a liquid it is at least as stiff as the liquid, so pressure does not push particles through:
+/// Sets SheetPlan::particleRate. The contact spring suits a light vertex, but a heavier particle would pass
+/// through. At the scene's speeds, an additional barrier (TouchLaw) stops the particle within the contact
+/// distance. For a liquid, the barrier is at least as stiff as the liquid, so pressure does not push
+/// particles through:
 /// m (c/s)^2 for spacing s and sound speed c.
 void planParticleContact(const Scene& scene, std::span<const LiquidMaterial> liquids,
                          std::vector<SheetPlan>& plans);

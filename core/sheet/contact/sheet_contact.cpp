@@ -20,20 +20,21 @@ namespace {
 
 double pairMass(double a, double b) { return a * b / (a + b); }
 
-// Contact mass (kg).
+// Returns the contact mass (kg).
 double massOf(const SheetBodies& sheets, std::size_t i) {
   const Sheets& s = sheets.rows;
   return sheets.laws[s.law[i]].contactMass * s.area[i];
 }
 
-/// Repulsion or attraction (N/m) of a vertex at a time factor of 1.
+/// Returns the repulsion or attraction (N/m) of a vertex at a time factor of 1.
 double ownOf(const SheetBodies& sheets, const Scene& scene, SheetFactor f, std::size_t i) {
   const Sheets& s = sheets.rows;
   return scene.sheets[s.body[i]].*sheetCoefficients[placeOf(f)].value *
          sheets.laws[s.law[i]].factor[placeOf(f)];
 }
 
-/// Mean stiffness of both ends: at present, and the largest until the end of the next step for the slope.
+/// Mean stiffness (N/m) of both ends: the present value, and the maximum until the end of the next step, for
+/// the slope.
 struct PairSpring {
   double own, stiffness, later;
 };
@@ -47,7 +48,7 @@ PairSpring pairSpring(const SheetBodies& sheets, const Scene& scene, SheetFactor
   return {own, own * p.now[k] + other * q.now[k], own * p.most[k] + other * q.most[k]};
 }
 
-/// Adds repulsion and attraction by distance.
+/// Adds repulsion and attraction between vertices.
 void addVertexForces(SheetBodies& b, const Scene& scene) {
   Sheets& s = b.rows;
   std::vector<double> slope(s.owned, 0);
@@ -59,7 +60,7 @@ void addVertexForces(SheetBodies& b, const Scene& scene) {
   }
   eachNear(b.cells, s.owned, b.cells, [&](std::size_t i, std::size_t j) {
     if (i == j) return;
-    // the same difference at both ends up to its sign
+    // the same difference at both ends, except for the sign
     const Vec3d d = s.position[i] - s.position[j];
     const double r2 = dot(d, d);
     if (!(r2 < reach2) || !(r2 > 0)) return;
@@ -123,7 +124,7 @@ struct Particles {
     const double r = std::sqrt(r2), liquid = p.liquid.active        ? static_cast<double>(p.liquid[j])
                                              : p.phase[j] == Liquid ? 1
                                                                     : 0;
-    // fraction of the particle that this vertex supports
+    // mass of the particle's part that this vertex supports
     const double mass = pairMass(massOf(w.sheets, i), p.mass[j]),
                  part = std::min(1.0, s.area[i] / (w.scene.spacing * w.scene.spacing));
     m.touch = touchOf({plan.contactRate, mass, std::min(b.restitution, material.restitution),
@@ -164,8 +165,8 @@ void addParticleContact(const SheetView& w, const SheetVelocities& now) {
     if (!pair.meet(i, j, m)) return;
     p.force[j] -= m.touch.force;
     p.interaction[j] += 0.5 * m.touch.energy;
-    // Dissipation of both ends, at the velocity after half of this kick, which the last acceleration
-    // approximates.
+    // Dissipation of both ends, at the velocity after half of this kick. The last acceleration approximates
+    // the kick.
     p.dissipation[j] += dot(m.touch.dissipativeForce, p.velocity[j] + p.acceleration[j] * (0.5 * now.dt));
     if (pair.heat) {
       p.heatFlow[j] -= m.heat;
@@ -176,7 +177,7 @@ void addParticleContact(const SheetView& w, const SheetVelocities& now) {
   for (const double x : stiff) b.stiffestParticle = std::max(b.stiffestParticle, x);
 }
 
-/// Adds contact of vertices and oriented particles, as with the continuum, without heat. The force on
+/// Adds contact of vertices and oriented particles, as with the continuum, but without heat. The force on
 /// oriented particles is constant over their next step.
 void addOrientedContact(SheetBodies& b, OrientedBodies& oriented, const Scene& scene,
                         const SheetVelocities& now) {
@@ -190,7 +191,8 @@ void addOrientedContact(SheetBodies& b, OrientedBodies& oriented, const Scene& s
     const Vec3d d = s.position[i] - o.position[j];
     const double reach = 0.5 * (plan.thickness + spacing), r2 = dot(d, d);
     if (!(r2 < reach * reach) || !(r2 > 0)) return false;
-    const double r = std::sqrt(r2), mass = orientedMass(other, spacing);  // not the column: ghosts have none
+    const double r = std::sqrt(r2), mass = orientedMass(other, spacing);  // not the column, because ghosts
+                                                                          // have no mass
     touch = touchOf({plan.contactRate, pairMass(massOf(b, i), mass), sheet.restitution,
                      std::max(sheet.friction, other.friction), now.span},
                     reach - r, d / r, s.moving[i] - o.velocity[j]);

@@ -30,11 +30,11 @@ ExactStep byseries(const SpringLaw& law, Real t, Real a, Real w2) {
           static_cast<double>(qr * t * t / m), static_cast<double>(t * qv / m)};
 }
 
-/// Two real roots, also the double one; m may be 0. e^slow and e^fast are the decays of the two solutions
-/// over the step.
+/// Two real roots, including a double root; m may be 0. e^slow and e^fast are the decay factors of the two
+/// solutions over the step.
 ExactStep overdamped(const SpringLaw& law, Real t) {
   const Real m = law.mass, c = law.damping, k = law.stiffness;
-  // distance of the roots over their sum
+  // difference of the roots over their sum
   const Real gap = std::sqrt(std::fmax(Real(0), 1 - 4 * m / c * (k / c)));
   const Real slow = -2 * k * t / (c * (1 + gap));
   const Real apart = m > 0 ? c * t / m * gap : std::numeric_limits<Real>::infinity();
@@ -109,7 +109,7 @@ double stableSlope(const SpringLaw& law, double dt) {
 double stableStep(const SpringLaw& law, double kappa) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   if (!(kappa > 0)) return infinite;
-  // doubles a stable step until it is unstable, then bisects 50 times, far beyond the accuracy of kappa
+  // doubles a stable step until it is unstable, then bisects 50 times, which is far more accurate than kappa
   double low = law.mass > 0      ? std::sqrt(law.mass / (kappa + law.stiffness))
                : law.damping > 0 ? law.damping / (kappa + law.stiffness)
                                  : 0;

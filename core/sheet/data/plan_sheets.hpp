@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Properties of the scene's sheets: meshes, coefficients, components. Every rank computes them from the scene
-// alone.
+// only.
 #pragma once
 #include <span>
 
@@ -17,7 +17,7 @@ namespace thaw {
 struct SheetLaw {
   std::uint16_t sheet = 0;
   SpringLaw law;
-  double contactMass = 0;  ///< kg/m^2, mass for contact stiffness: the law's, unless that is 0
+  double contactMass = 0;  ///< kg/m^2, mass for contact stiffness: the law's mass, unless it is 0
   std::array<double, sheetFactors> factor{};  ///< factors of its region; springs between two vertices use
                                               ///< their mean
 };
@@ -26,15 +26,16 @@ struct SheetLaw {
 struct SheetPart {
   std::uint16_t sheet = 0;
   bool closed = false;
-  Vec3d origin{};             ///< m, first vertex, the origin of volumes
+  Vec3d origin{};             ///< m, position of the first vertex, the origin of volumes
   double area = 0;            ///< m^2
   double volume = 0;          ///< m^3, at the start
   std::int64_t vertices = 0;  ///< at the start
-  double stiffness = 0;  ///< Pa, volume stiffness at a time factor of 1: mean of its regions over its area
-  double now = 0;        ///< m^3, volume at the last evaluation, the same on all ranks; 0 if unused
+  double stiffness = 0;       ///< Pa, volume stiffness at a time factor of 1: mean over its area, with the
+                              ///< factors of its regions
+  double now = 0;             ///< m^3, volume at the last evaluation, the same on all ranks; 0 if unused
 };
 
-/// Vertices on both sides of an edge, joined by a bond.
+/// Vertices on both sides of an edge, connected by a bond.
 struct SheetHinge {
   std::uint32_t from, to;
   double length, stiffness;  ///< m, N/m
@@ -43,8 +44,8 @@ struct SheetHinge {
 
 /// Elements of a mesh file that a sheet cannot use and drops.
 struct DroppedElements {
-  std::size_t triangles = 0;  ///< without area, or duplicates
-  std::size_t vertices = 0;   ///< without a triangle
+  std::size_t triangles = 0;  ///< triangles without area, and duplicate triangles
+  std::size_t vertices = 0;   ///< vertices without a triangle
 };
 
 struct SheetPlan {
@@ -54,29 +55,30 @@ struct SheetPlan {
   std::vector<std::uint16_t> law;                 ///< per vertex
   std::vector<double> edgeLength, edgeStiffness;  ///< m, N/m, parallel to SheetTopology::ring: rest lengths
   std::vector<SheetFactor> edgeKind;              ///< parallel to it: Warp, Weft or Shear
-  std::vector<SheetHinge> hinges;                 ///< both directions, by `from`
+  std::vector<SheetHinge> hinges;                 ///< in both directions, sorted by `from`
   std::uint32_t firstPart = 0;
   double spacing = 0;      ///< m, mean edge length
-  double longestEdge = 0;  ///< m, at the start and at rest
+  double longestEdge = 0;  ///< m, maximum over start and rest state
   double thickness = 0;    ///< m, contact distance
   double contactRate = 0;  ///< 1/s
   /// 1/s, per material of the continuum: rate of the barrier (particle_contact.hpp); 0 where the scene gives
   /// contactRate.
   std::vector<double> particleRate;
-  // contact by triangles: with the continuum (face_contact.hpp), and of sheets (mesh_contact.hpp)
+  // contact by triangles: with the continuum (face_contact.hpp), and between sheets (mesh_contact.hpp)
   bool byFaces = false;
   double faceReach = 0;  ///< m, contact distance of a particle's centre
   double faceRate = 0;   ///< 1/s, as contactRate
-  double faceArea = 0;   ///< m^2, mean area of a vertex; times SheetLaw::contactMass the mass for stiffness
+  double faceArea = 0;   ///< m^2, mean area of a vertex. Its product with SheetLaw::contactMass is the mass
+                         ///< for contact stiffness
   std::vector<std::uint32_t> faceFirst, faceOf;  ///< triangles whose first corner is vertex v:
                                                  ///< faceOf[faceFirst[v]] ..
   ShrinkWrapTarget shrinkWrapTarget;
   bool edgeForces = false;  ///< springs along edges or across them
-  bool normals = false;     ///< some force needs normals
-  bool touches = false;     ///< the scene has something that it can touch
+  bool normals = false;     ///< a force needs normals
+  bool touches = false;     ///< the scene has an object that the sheet can touch
 };
 
-/// Largest stretch of an edge for which mesh contact finds it; cells have this much room.
+/// Largest stretch of an edge for which mesh contact finds the edge. Cells are large enough for it.
 inline constexpr double stretchedEdges = 1.3;
 
 struct SheetPlans {
@@ -96,7 +98,8 @@ TriangleMesh sheetMesh(const Scene& scene, const SheetBody& body, const MeshLoad
 /// direction, weft beyond 72.
 SheetFactor edgeKind(const SheetBody& body, const Vec3d& edge);
 
-/// Returns spring types by bond number of a vertex (from 0): first its ring, then the vertices across edges.
+/// Returns the spring types of a vertex by bond number (from 0): first its ring, then the vertices across
+/// edges.
 std::vector<SheetFactor> springKinds(const SheetPlan& plan, std::uint32_t vertex);
 /// Returns the hinges of a vertex.
 std::span<const SheetHinge> hingesAt(const SheetPlan& plan, std::uint32_t vertex);
@@ -108,8 +111,8 @@ double edgeStiffness(const SheetBody& body, const Vec3d& edge, double area);
 /// Returns the interaction radius (m) of the scene's sheets.
 double sheetReach(const Scene& scene);
 
-/// Returns the largest speed (m/s) that external forces or initial motion may give sheets, as a scale of
-/// energy. 0 without sheets.
+/// Returns the largest speed (m/s) of sheets due to external forces or initial motion, as a scale of energy;
+/// 0 without sheets.
 double expectedSheetSpeed(const Scene& scene);
 
 /// Returns the thickness (m) of a sheet: the scene's, or 0.8 of its spacing.

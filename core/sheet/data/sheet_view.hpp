@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The data of a run on one rank that sheets use in a step.
+// Data of a run on one rank that sheets use in a step.
 #pragma once
 #include "core/ledger/ledger.hpp"
 #include "core/neighbours/grid.hpp"

@@ -51,16 +51,16 @@ struct Sheets : BodyTypeRows {
   // clang-format on
 };
 
-/// Edges as bonds (core/solid/): for each vertex first its ring, counter-clockwise, then the vertices across
-/// edges. For a bond, x is the rest length (m) and y the stiffness (N/m). z is 1 + the ring index of the
-/// neighbour that closes a triangle with it (0: none), and the weight is 1 + its own index.
+/// Edges as bonds (core/solid/). The bonds of a vertex are first its ring, counter-clockwise, then the
+/// vertices across edges. For a bond, x is the rest length (m) and y the stiffness (N/m). z is 1 + the ring
+/// index of the neighbour that closes a triangle with it (0: none). The weight is 1 + its own index.
 struct SheetEdges {
   Solids ends;
   Bonds bonds;
 };
 
-/// Time factors of a sheet's coefficients, parallel to sheetCoefficients: current, and largest until the
-/// end of the next step, for its limit.
+/// Time factors (1) of a sheet's coefficients, parallel to sheetCoefficients: the current values, and the
+/// maxima until the end of the next step, for the step limit.
 struct FactorsNow {
   std::array<double, sheetFactors> now, most;
 };
@@ -76,24 +76,25 @@ struct SheetBodies {
   std::vector<SheetPart> parts;
   // results of the last evaluation
   std::vector<FactorsNow> factors;  ///< per sheet
-  std::vector<double> slope;  ///< N/m^3, per owned row: sum of slope bounds of neighbour forces and contacts
-  /// N/m^3, per law: largest slope of one of this rank's vertices. Sums of two vertices would depend on the
+  std::vector<double> slope;        ///< N/m^3, per owned row: sum of the slope bounds of neighbour forces and
+                                    ///< contacts
+  /// N/m^3, per law: largest slope of any vertex of this rank. Sums over two vertices would depend on the
   /// partition.
   std::vector<double> stiffest;
   double fastestDrag = 0;       ///< 1/s, largest drag rate of the wind on this rank, 2 rho |u_n| area / mass
   double stiffestParticle = 0;  ///< 1/s^2, largest slope of vertex contact over particle mass on this rank
   double fastest2 = 0;  ///< m^2/s^2, largest squared speed of this rank's vertices that can touch anything
-  double largestAcceleration = 0;  ///< m/s^2, largest acceleration of these by loads
+  double largestAcceleration = 0;  ///< m/s^2, largest acceleration of these vertices by loads
   double impactRate = 0;   ///< 1/s, inverse of the longest step that impacts allow, on this rank (blowRate in
                            ///< touch.hpp)
   double closingRate = 0;  ///< 1/s, largest approach speed over distance of touching vertices, triangles and
                            ///< edges, on this rank
   std::shared_ptr<MeshSearch> search;  ///< current contact search (mesh_pairs.hpp), kept to reuse memory; not
                                        ///< part of the state
-  std::vector<Vec3d> velocityBuffer, impulseBuffer;  ///< buffers by vertex, kept since allocation costs as
+  std::vector<Vec3d> velocityBuffer, impulseBuffer;  ///< buffers by vertex, kept because allocation costs as
                                                      ///< much as a force evaluation
   bool leftHere = false;     ///< a vertex has left the domain since the last update of edges
-  bool edgesAtStart = true;  ///< the next evaluation makes the bonds from the plans
+  bool edgesAtStart = true;  ///< the next evaluation creates the bonds from the plans
 };
 
 }  // namespace thaw

@@ -11,15 +11,15 @@ namespace thaw {
 
 enum class ShrinkWrapKind : std::uint8_t { Normal, Obstacle, Continuum, Oriented, Sheet };
 
-/// index: into the scene's obstacles, its bodies and then emitters, its oriented bodies, its sheets. Normal:
-/// the wrap acts against the sheet's own normals.
+/// Target of a shrink-wrap. index: into the scene's obstacles, its bodies followed by emitters, its oriented
+/// bodies, or its sheets. Normal: the shrink-wrap acts against the sheet's own normals.
 struct ShrinkWrapTarget {
   ShrinkWrapKind kind = ShrinkWrapKind::Normal;
   std::uint16_t index = 0;
   bool operator==(const ShrinkWrapTarget&) const = default;
 };
 
-/// Returns all targets that a name of shrink_wrap_to may mean, none or several.
+/// Returns all targets that match a name in shrink_wrap_to, possibly none or several.
 std::vector<ShrinkWrapTarget> shrinkWrapTargets(const Scene& scene, const std::string& name);
 
 /// Returns the target of a sheet. Throws ShapeError if its name is unknown, ambiguous, or the sheet itself.

@@ -45,7 +45,7 @@ void addFans(std::vector<Corner>& corners, std::vector<RingEdge>& ring) {
   for (const Corner& c : corners)
     if (const std::size_t next = startingAt(c.to); next < corners.size()) entered[next] = 1;
   const std::size_t begin = ring.size();
-  // Open fans first, each from its first border; then closed rings, from their smallest neighbour.
+  // Open fans are first, each from its first border. Closed rings follow, from their smallest neighbour.
   for (const bool open : {true, false})
     for (std::size_t k = 0; k < corners.size(); k++) {
       if (used[k] || (open && entered[k])) continue;
@@ -92,7 +92,8 @@ std::vector<double> triangleAreas(const TriangleMesh& mesh) {
   return areas;
 }
 
-/// Triangles at each vertex: those of vertex v are corner[first[v]] up to first[v + 1].
+/// Triangles at each vertex: the triangles of vertex v are corner[first[v]] up to corner[first[v + 1]],
+/// excluded.
 struct VertexCorners {
   std::vector<std::uint32_t> first;
   std::vector<Corner> corner;
@@ -163,7 +164,7 @@ void addHinges(const TriangleMesh& mesh, const AlignedVector<EdgeSide>& sides, S
   });
 }
 
-/// Sums tetrahedra from the first vertex of each closed component.
+/// Sums the volumes of tetrahedra from the first vertex of each closed component.
 void addVolumes(const TriangleMesh& mesh, SheetTopology& t) {
   t.volume.assign(t.closed.size(), 0);
   std::vector<Vec3d> origin(t.closed.size());

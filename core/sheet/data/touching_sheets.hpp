@@ -7,7 +7,7 @@
 
 namespace thaw {
 
-/// Returns whether sheets can touch each other or themselves; for one sheet, whether it takes part.
+/// Returns whether sheets can touch each other or themselves. For one sheet, returns whether it can touch.
 inline bool meshesTouch(const Scene& s) {
   return !s.sheets.empty() && (s.sheets.size() > 1 || s.sheets[0].selfContact);
 }

@@ -9,10 +9,10 @@
 namespace thaw {
 namespace {
 
-constexpr double finest = 0.125;  // radii between samples
-constexpr double most = 4096;     // samples per piece of the path
+constexpr double finest = 0.125;  // brush radii between samples
+constexpr double most = 4096;     // maximum number of samples per piece of the path
 
-/// Falls from 1 to 0 with zero slope at both ends.
+/// Falls from 1 at r2 = 0 to 0 at the radius, with zero slope at both ends. r2: m^2, squared distance.
 double falloff(double r2, double radius) {
   const double u2 = r2 / (radius * radius);
   return u2 < 1 ? (1 - u2) * (1 - u2) : 0;
@@ -41,7 +41,7 @@ std::vector<PressureSample> pressureSamples(const PressureBrush& b, double time,
   for (std::size_t k = 0; k + 1 < ends.size(); k++) {
     const double over = ends[k + 1] - ends[k];
     if (!(over > 0)) continue;
-    // just inside the piece: the last of keyframes with equal times counts
+    // just inside the piece, because of keyframes with equal times the last one counts
     const double way = length(centreAt(ends[k] + 0.999999 * over) - centreAt(ends[k]));
     const auto touches = static_cast<int>(std::clamp(std::ceil(way / (finest * b.radius)), 1.0, most));
     for (int q = 0; q < touches; q++) {

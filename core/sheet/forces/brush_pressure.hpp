@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pressure of a brush averaged over a step, along its path and its schedule.
+// Pressure of a brush, averaged over a step along its path and its time factor.
 #pragma once
 #include <vector>
 
@@ -7,15 +7,15 @@
 
 namespace thaw {
 
-/// Sample of a brush on its path, and its fraction of the pressure.
+/// Sample of a brush on its path (centre: m), and its fraction of the pressure (1).
 struct PressureSample {
   Vec3d centre{};
   double share = 0;
 };
 
-/// Returns samples of a brush whose mean is its pressure over dt (s) around `time` (s). Successive steps
-/// cover the whole path. It is one sample at `time` if dt is 0, or if the brush is at rest and its factor
-/// constant.
+/// Returns samples of a brush that together give its mean pressure over dt (s) around `time` (s). Successive
+/// steps cover the whole path. There is one sample at `time` if dt is 0, or if the brush is at rest and its
+/// factor is constant.
 std::vector<PressureSample> pressureSamples(const PressureBrush& brush, double time, double dt);
 
 /// Returns the pressure (Pa) at a position.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Exact sums over vertices at low cost: floating-point sums within a cell in id order, exact sums over cells.
-// Cells do not depend on the number of ranks, so these sums do not either.
+// Cells do not depend on the number of ranks, so the sums do not depend on it.
 #pragma once
 #include "core/math/exact_sum.hpp"
 #include "core/neighbours/grid.hpp"

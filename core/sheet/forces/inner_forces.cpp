@@ -74,14 +74,14 @@ Vec3d areaNormalOf(const SheetEdges& e, std::size_t solidIndex) {
 
 namespace {
 
-/// Adds the springs of a vertex and sets its area vector (as areaNormalOf), in one pass over its neighbours.
+/// Adds the springs of a vertex, and sets its area vector (as areaNormalOf), in one pass over its neighbours.
 void addBonds(SheetBodies& b, const Scene& scene, std::size_t solidIndex, bool springs, bool normals) {
   Sheets& s = b.rows;
   const std::uint32_t i = b.edges.ends.particle[solidIndex];
   const SheetBody& body = scene.sheets[s.body[i]];
   const Bonds& bonds = b.edges.bonds;
   const bool limited = body.stretchLimit < never;
-  std::vector<SheetFactor> kinds;  // empty if none changes in time
+  std::vector<SheetFactor> kinds;  // empty if no coefficient changes in time
   if (springs && s.changing.active)
     kinds = springKinds(b.plans[s.body[i]], static_cast<std::uint32_t>(s.id[i] & ((1ull << 40) - 1)));
   const FactorsNow& factors = b.factors[s.body[i]];
@@ -121,7 +121,7 @@ void addBonds(SheetBodies& b, const Scene& scene, std::size_t solidIndex, bool s
   if (springs) {
     s.load[i] += force / s.area[i];
     s.energy[i] += energy;
-    b.slope[i] += 2 * slope / s.area[i];  // Gershgorin: both ends of each spring
+    b.slope[i] += 2 * slope / s.area[i];  // Gershgorin's bound counts both ends of each spring
   }
   if (!normals) return;
   if (count > room) {
@@ -169,7 +169,8 @@ void addPressure(SheetBodies& b, Reducer& all) {
       turning(b.parts.size(), 0), slope(b.parts.size(), 0);
   for (std::size_t k = 0; k < parts.size(); k++) {
     SheetPart& p = b.parts[parts[k]];
-    if (digits[counts + k] < p.vertices) {  // some vertices have left: an open part holds no volume
+    if (digits[counts + k] < p.vertices) {  // some vertices have left, so the part is open and encloses no
+                                            // volume
       p.now = 0;
       continue;
     }
@@ -190,7 +191,7 @@ void addPressure(SheetBodies& b, Reducer& all) {
     s.load[i] += s.areaNormal[i] * (pressure[p] / s.area[i]);
     s.energy[i] += share[p] * s.area[i];
     if (s.changing.active) factorEnergyOf(s, i, SheetFactor::Volume) += whole[p] * s.area[i];
-    // the area vector turns with the neighbours: a third of a triangle's edge per vertex
+    // the area vector turns with the neighbours, by a third of a triangle's edge per vertex
     const double turn = 2 * turning[p] / std::sqrt(s.area[i]);
     b.slope[i] += slope[p] + turn;
   }

@@ -11,7 +11,7 @@
 namespace thaw {
 namespace {
 
-/// Returns the wind pressure on the upwind side, density (v . n)^2 along the normal, with the relative
+/// Returns the wind pressure (Pa) on the upwind side: density (v . n)^2 along the normal. v: m/s, relative
 /// velocity.
 Vec3d windLoad(const SheetBody& b, double density, const Vec3d& v, const Vec3d& areaNormal, double area) {
   const double size = length(areaNormal);
@@ -27,7 +27,7 @@ const Wall* wallNamed(const Walls& walls, const std::string& name) {
   return nullptr;
 }
 
-/// Returns the force per area of all walls; records work and impulse.
+/// Returns the force per area (N/m^2) of all walls. Records work and impulse.
 Vec3d wallLoad(const SheetView& w, std::size_t i, const SheetVelocities& now, Vec3d& impulse) {
   SheetBodies& sheets = w.sheets;
   Sheets& s = sheets.rows;
@@ -107,7 +107,7 @@ void addOuterForces(const SheetView& w, const SheetVelocities& now) {
     pushes.push_back({b.shrinkWrap * sheets.factors[n].now[placeOf(SheetFactor::ShrinkWrap)],
                       b.shrinkWrapTo.empty() ? nullptr : wallNamed(w.walls, b.shrinkWrapTo),
                       {}});
-    // addShrinkWrap handles bodies; a removed target exerts no shrink-wrap
+    // addShrinkWrap handles bodies. A removed target causes no shrink-wrap
     if (!b.shrinkWrapTo.empty() && !pushes.back().target) pushes.back().shrinkWrap = 0;
     for (const PressureBrush& brush : b.pressureBrushes)
       pushes.back().brush.push_back(pressureSamples(brush, time, now.dt));

@@ -9,8 +9,8 @@
 namespace thaw {
 namespace {
 
-constexpr double growth = 1.1;  // largest ratio of successive steps (core/simulation/reduce_step.cpp)
-// Fractions of a change from zero to the largest factor, per step. The second is the lower limit where an
+constexpr double growth = 1.1;  // maximum ratio of successive steps (core/simulation/reduce_step.cpp)
+// Fractions of a change from zero to the largest factor, per step. The second is a lower limit if an
 // oscillation would need shorter steps.
 constexpr double partOfChange = 0.04, leastOfChange = 0.001;
 constexpr double partOfSwing = 0.25;  // rad, phase of an oscillation per step

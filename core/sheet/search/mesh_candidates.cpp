@@ -7,11 +7,12 @@
 namespace thaw {
 namespace {
 
-// Factor of the predicted motion of the fastest vertex, which may accelerate before the next rebuild.
+// Safety factor of the fastest vertex's predicted motion, because the vertex may accelerate before the next
+// rebuild.
 constexpr double spare = 1.3;
-constexpr double slow = 0.01;  // fraction of the largest thickness, at least
-// Fraction of the largest thickness; less than the gap between neighbours of a flat sheet and their contact
-// distance.
+constexpr double slow = 0.01;  // fraction of the largest thickness, lower limit of the predicted motion
+// Fraction of the largest thickness. It is less than the difference between the distance of neighbours in a
+// flat sheet and their contact distance.
 constexpr double margin = 0.3;
 
 /// Vertex, edge or triangle with all its vertices on this rank.
@@ -20,7 +21,7 @@ template<std::size_t n> struct Element {
   std::array<std::uint32_t, n> row;
 };
 
-/// Elements of one type: all, and those that are not listed yet.
+/// Elements of one type: all, and fresh ones, which are not in lists yet.
 template<std::size_t n> struct Elements {
   std::vector<Element<n>> all, fresh;
   std::vector<std::uint8_t> isFresh;  // parallel to `all`
@@ -51,7 +52,7 @@ struct Listing {
   const Scene& scene;
   const MeshRows& m;
   MeshCandidates& list;
-  double beyond;  // m, listing distance beyond contact
+  double beyond;  // m, distance beyond contact at which pairs are listed
   Elements<1> vertices;
   Elements<2> edges;
   Elements<3> triangles;
@@ -185,7 +186,7 @@ void findMeshCandidates(const SheetBodies& sheets, const Scene& scene, const Mes
     all = all || (m.wasHere[v] && dot(d, d) > 0.25 * room * room);
   }
   if (!all && !some) return;
-  // listed pairs may have moved half of the margin, and may return as far on the other side
+  // listed pairs may have moved by half of the margin, and may move back by as much
   Listing listing{sheets, scene, m, c, all ? room : 1.5 * room, {}, {}, {}};
   if (all) {
     c.room = std::max(spare * comes, slow * thickest);

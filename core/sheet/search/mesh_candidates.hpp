@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pairs of vertices, triangles and edges of sheets that may soon touch. The list has a margin: it is rebuilt
-// when motion has used that up, and extended when vertices arrive. Contact is tested for each pair in each
-// step, so results do not depend on when lists are built.
+// Pairs of vertices, triangles and edges of sheets that may soon touch. The list has a margin. It is rebuilt
+// when motion has used up the margin, and extended when vertices arrive. Contact is tested for each pair in
+// each step, so results do not depend on the time of the rebuild.
 #pragma once
 #include "core/sheet/data/sheets.hpp"
 #include "core/sheet/search/mesh_rows.hpp"
@@ -10,36 +10,37 @@
 namespace thaw {
 
 struct MeshCandidate {
-  std::uint64_t order;                  ///< vertex and triangle number, or both edge numbers, over all meshes
-  std::array<std::uint32_t, 4> vertex;  ///< numbers of the vertex and the corners, or of both ends of each
-                                        ///< edge
+  std::uint64_t order;                  ///< numbers over all meshes, of vertex and triangle or of both edges
+  std::array<std::uint32_t, 4> vertex;  ///< vertex numbers: of the vertex and the corners, or of the ends of
+                                        ///< both edges
   double reach;                         ///< m, contact distance
-  bool comes;  ///< approach is predicted; false for neighbours at rest, which are always near
+  bool comes;  ///< true if approach is predicted; false for elements that are neighbours at rest, since they
+               ///< are always near
 };
 
 /// Motion of the vertices on this rank.
 struct MeshMotion {
-  Vec3d mean{};      ///< m/s, common motion, which needs no new search
+  Vec3d mean{};      ///< m/s, common velocity, which needs no new search
   double dt = 0;     ///< s, since the last call
-  double ahead = 0;  ///< s, time ahead for which pairs are listed
+  double ahead = 0;  ///< s, future time for which pairs are listed
 };
 
 struct MeshCandidates {
   std::vector<MeshCandidate> faces, edges;  ///< in ascending order
   Vec3d shift{};                            ///< m, common displacement since the start
   std::vector<Vec3d> listed;  ///< m, position of each vertex without the shift at its last search
-  /// m, for each vertex's motion besides the mean within MeshMotion::ahead. One value for all, since single
-  /// vertices get faster in every step.
+  /// m, allowance for each vertex's motion relative to the mean within MeshMotion::ahead. It is one value for
+  /// all vertices, since in every step some vertex becomes faster.
   double room = 0;
 };
 
-/// Returns the largest thickness (m), the limit of motion within MeshMotion::ahead.
+/// Returns the largest thickness (m). It limits the motion within MeshMotion::ahead.
 double thickestSheet(const std::vector<SheetPlan>& plans);
 
-/// Ratio of contact distance to rest distance within one sheet, where it is less than the thickness.
+/// Ratio of contact distance to rest distance within one sheet, if the result is less than the thickness.
 inline constexpr double nearAtRest = 0.5;
 
-/// Updates the lists. Requires: Sheets::moving, of ghosts too.
+/// Updates the lists. Requires: Sheets::moving, also of ghosts.
 void findMeshCandidates(const SheetBodies& sheets, const Scene& scene, const MeshRows& rows,
                         const MeshMotion& motion, MeshCandidates& candidates);
 

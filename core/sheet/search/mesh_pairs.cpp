@@ -6,9 +6,9 @@
 namespace thaw {
 namespace {
 
-/// Selects the candidates that touch. Returns the largest approach rate (1/s, over reach) of candidates that
-/// will touch within `ahead` (s), with motion limited to `farthest` (m). pairOf makes the pair of a vertex
-/// and a triangle, or of two edges.
+/// Selects the candidates that touch. Returns the largest approach rate (1/s, speed over reach) of
+/// candidates that will touch within `ahead` (s), with motion limited to `farthest` (m). pairOf makes the
+/// pair of a vertex and a triangle, or of two edges.
 template<class PairOf>
 double pick(const Sheets& s, const MeshRows& m, const std::vector<MeshCandidate>& candidates, double ahead,
             double farthest, std::vector<MeshPair>& found, PairOf&& pairOf) {
@@ -41,7 +41,7 @@ double pick(const Sheets& s, const MeshRows& m, const std::vector<MeshCandidate>
 
 }  // namespace
 
-// positions relative to the first of four, so the bits are those of differences
+// positions relative to the first of four, so the bits depend only on differences
 MeshPair vertexAndTriangle(const Column<Vec3d>& x, const std::array<std::uint32_t, 4>& rows) {
   const Vec3d a = x[rows[1]] - x[rows[0]], b = x[rows[2]] - x[rows[0]], c = x[rows[3]] - x[rows[0]],
               u = sharesOfNearest(a, b, c, {}), d = -(u.x * a + u.y * b + u.z * c);

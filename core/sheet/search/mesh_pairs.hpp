@@ -5,11 +5,11 @@
 
 namespace thaw {
 
-/// Vertex and triangle, or two edges, nearer to each other than `reach`.
+/// Vertex and triangle, or two edges, at a distance below `reach`.
 struct MeshPair {
-  std::array<std::uint32_t, 4> row;  ///< vertex and corners, or both ends of each edge
+  std::array<std::uint32_t, 4> row;  ///< rows of vertex and corners, or of the ends of both edges
   std::array<double, 4> share;  ///< weights of the nearest points, negative for the second body, with sum 0
-  Vec3d apart;                  ///< m, from the second's nearest point to the first's
+  Vec3d apart;                  ///< m, from the second body's nearest point to the first's
   double distance, reach;       ///< m
 };
 
@@ -21,8 +21,8 @@ struct MeshSearch {
   double coming = 0;  ///< 1/s, largest speed over reach of pairs that will soon touch
 };
 
-/// Finds MeshSearch::faces and edges with at least one of this rank's vertices, in ascending order, which is
-/// the same on all ranks. Requires: MeshSearch::rows, and Sheets::moving of ghosts too.
+/// Finds MeshSearch::faces and edges with at least one of this rank's vertices. The ascending order is the
+/// same on all ranks. Requires: MeshSearch::rows, and Sheets::moving, also of ghosts.
 void findMeshPairs(const SheetBodies& sheets, const Scene& scene, const MeshMotion& motion,
                    MeshSearch& search);
 

@@ -13,21 +13,22 @@ struct Sheets;
 
 inline constexpr std::uint32_t noLocalRow = 0xffffffffu;
 
-/// Vertices are numbered through all sheets: sheet n starts at first[n].
+/// Tables of vertices. Vertices are numbered over all sheets: sheet n starts at first[n].
 struct MeshRows {
   std::vector<std::uint32_t> first;     ///< sheets + 1
-  std::vector<std::uint32_t> rowOf;     ///< per vertex, ghosts too; noLocalRow if absent
+  std::vector<std::uint32_t> rowOf;     ///< per vertex, including ghosts; noLocalRow if absent
   std::vector<std::uint32_t> numberOf;  ///< per row
   std::vector<Vec3i> cell;              ///< per row
-  std::vector<std::uint32_t> before;    ///< numbers with rows in the previous evaluation
-  std::vector<std::uint8_t> wasHere;    ///< per vertex, in the previous evaluation
+  std::vector<std::uint32_t> before;    ///< vertex numbers with rows in the previous evaluation
+  std::vector<std::uint8_t> wasHere;    ///< per vertex: 1 if it had a row in the previous evaluation
 };
 
 inline std::uint32_t vertexOf(std::uint64_t id) {
   return static_cast<std::uint32_t>(id & ((1ull << 40) - 1));
 }
 
-/// Updates the tables. The cost grows with the local rows, not with the mesh. Requires: ghosts with ids.
+/// Updates the tables. The cost is proportional to the local rows, not to the mesh. Requires: ghosts with
+/// ids.
 void findMeshRows(const Sheets& rows, const CellTable& cells, const std::vector<SheetPlan>& plans,
                   MeshRows& found);
 
@@ -36,8 +37,8 @@ inline bool beside(const Vec3i& a, const Vec3i& b) {
   return std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1 && std::abs(a.z - b.z) <= 1;
 }
 
-/// Returns whether all rows lie in equal or adjacent cells. Then each owner has all of them. Other
-/// combinations are ignored, on any number of ranks.
+/// Returns whether all rows lie in equal or adjacent cells. The owner of each row then has all of the rows.
+/// Other combinations are ignored, on any number of ranks.
 bool allAdjacent(const MeshRows& m, std::span<const std::uint32_t> rows);
 
 /// Returns the rows of a triangle's corners, noLocalRow where absent.

@@ -27,7 +27,7 @@ void binBoxes(const std::vector<Box>& boxes, const BoxBins& bins, BinnedBoxes& b
   for (std::uint32_t k = 0; k < boxes.size(); k++) {
     const Vec3d middle = (1 / bins.edge) * (0.5 * (boxes[k].low + boxes[k].high) - bins.origin);
     Vec3i bin;
-    // boxes farther off overlap none of the list that defines the bins
+    // boxes farther away overlap no box of the list that defines the bins
     for (int a = 0; a < 3; a++) bin[a] = static_cast<int>(std::clamp(middle[a], -1.0, 1.0 + most));
     b.room.push_back({cellKey(bin), k});
   }

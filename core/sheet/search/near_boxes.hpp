@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pairs of overlapping boxes, found by bins of their centres. The set of pairs does not depend on the bins;
-// their order does.
+// Pairs of overlapping boxes, found by bins of their centres. The set of pairs does not depend on the bins,
+// but the order of the pairs does.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@ struct Box {
   }
 };
 
-/// Returns the box around all corners, enlarged by a margin (m).
+/// Returns the box (m) around all corners, enlarged by a margin (m).
 template<std::size_t n> Box boxAround(const std::array<Vec3d, n>& corners, double margin) {
   Box b{corners[0], corners[0]};
   for (const Vec3d& x : corners) b.take(x);
@@ -28,17 +28,17 @@ template<std::size_t n> Box boxAround(const std::array<Vec3d, n>& corners, doubl
   return b;
 }
 
-/// Boxes sorted by the bin of their centres. Sides are single precision, rounded outward, stored by axis for
-/// vectorisation.
+/// Boxes sorted by the bin of their centres. Sides have single precision, rounded outward, and are stored by
+/// axis for vectorisation.
 struct BinnedBoxes {
   CellTable bins;
   std::vector<float> low[3], high[3];
-  std::vector<std::uint32_t> number;  ///< index of each in the input list
+  std::vector<std::uint32_t> number;  ///< index of each box in the input list
   std::vector<std::pair<std::uint64_t, std::uint32_t>> room;
 };
 
-/// Cubic bins with the edge of the largest box, from the lowest corner. Overlapping boxes of this list, or
-/// smaller ones, lie in equal or adjacent bins.
+/// Cubic bins, from the lowest corner (m), with the edge (m) of the largest box. Overlapping boxes of this
+/// list, or smaller boxes, lie in equal or adjacent bins.
 struct BoxBins {
   Vec3d origin;
   double edge;

@@ -11,7 +11,7 @@
 namespace thaw {
 namespace {
 
-constexpr double blunt = 0.2;  // least denominator of a direction, over sum w r
+constexpr double blunt = 0.2;  // smallest denominator of a direction, over sum w r
 
 /// Rows of a body of any type on this rank.
 struct ShrinkWrapBody {
@@ -37,7 +37,8 @@ struct ShrinkWrapBody {
            : target.kind == ShrinkWrapKind::Oriented ? w.oriented.rows.position[j]
                                                      : w.sheets.rows.position[j];
   }
-  /// Weight of a row in its cell: its mass, or the area of a vertex, which may be massless.
+  /// Returns the weight of a row in its cell: its mass (kg), or the area (m^2) of a vertex, because vertices
+  /// may be massless.
   double share(std::size_t j) const {
     return target.kind == ShrinkWrapKind::Continuum  ? w.particles.mass[j]
            : target.kind == ShrinkWrapKind::Oriented ? w.oriented.rows.mass[j]
@@ -55,7 +56,8 @@ struct ShrinkWrapBody {
       if (w.scene.oriented[target.index].planar) force.y = 0;
       o.force[j] += force;
       o.external[j] += force;
-      o.dissipativeForce[j] += force;  // wrap has no stored energy: its work is recorded as dissipation
+      o.dissipativeForce[j] += force;  // shrink-wrap has no stored energy, so its work is recorded as
+                                       // dissipation
     } else {
       Sheets& s = w.sheets.rows;
       s.load[j] += force / s.area[j];
@@ -64,7 +66,7 @@ struct ShrinkWrapBody {
   }
 };
 
-/// Returns its cells on this rank, ascending by key.
+/// Returns the body's cells on this rank, ascending by key.
 std::vector<ShrinkWrapCell> cellsOf(const ShrinkWrapBody& body) {
   std::vector<ShrinkWrapCell> parts;
   const CellTable& t = body.cells();
@@ -91,7 +93,7 @@ struct ShrinkWrap {
   const PointTree& tree;
   double unit;  // N, unit of all forces
   double twoCells;
-  std::vector<std::int64_t>& pulls;  // per cell, three units each
+  std::vector<std::int64_t>& pulls;  // per cell: three components, in units
 
   /// Returns the force of size `size` (N) on vertex i, in units.
   Vec3<std::int64_t> draw(std::size_t i, double size) {

@@ -33,8 +33,8 @@ ShrinkWrapCell partAt(const std::vector<std::uint64_t>& words, std::size_t k) {
 
 const auto byKey = [](const auto& a, const auto& b) { return a.key < b.key; };
 
-/// Returns messages with cells for the owners of their blocks, and, without a share, for the owners of
-/// adjacent blocks.
+/// Returns messages with cells for the owners of their blocks. Owners of adjacent blocks get the cells with
+/// share 0.
 std::vector<WordStream> messagesToBlocks(const std::vector<ShrinkWrapCell>& cells, int ranks) {
   WordStreams out(ranks);
   for (const ShrinkWrapCell& p : cells) {
@@ -58,7 +58,7 @@ std::vector<ShrinkWrapSurface::Listed> surfaceOf(const std::vector<WordStream>& 
   for (const WordStream& l : received)
     for (std::size_t k = 0; k < l.words.size(); k += wordsOfPart)
       known.push_back({partAt(l.words, k), l.rank});
-  // a cell may arrive for several blocks: the entry with a share sorts first
+  // a cell may arrive for several blocks; its entry with share > 0 sorts first
   std::sort(known.begin(), known.end(), [](const auto& a, const auto& b) {
     return a.part.key != b.part.key ? a.part.key < b.part.key : a.part.share > b.part.share;
   });
@@ -86,7 +86,7 @@ std::vector<ShrinkWrapSurface::Listed> surfaceOf(const std::vector<WordStream>& 
   return surface;
 }
 
-/// Bounding box of a block's points.
+/// Bounding box (m) of a block's points.
 struct Block {
   std::uint64_t key;
   Box box;
@@ -118,7 +118,7 @@ std::vector<Block> gatherBlocks(Reducer& all, const std::vector<Block>& mine) {
   return blocks;
 }
 
-/// Least and largest distance (m) between points of two boxes.
+/// Smallest and largest distance (m) between points of two boxes.
 double leastApart(const Box& a, const Box& b) {
   Vec3d d;
   for (int k = 0; k < 3; k++) d[k] = std::max({0.0, a.low[k] - b.high[k], b.low[k] - a.high[k]});
@@ -135,7 +135,7 @@ std::vector<std::uint64_t> blocksNear(const std::vector<Block>& vertices, const 
                                       double beyond) {
   std::vector<std::uint8_t> wanted(surface.size(), 0);
   for (const Block& v : vertices) {
-    double nearest = HUGE_VAL;  // upper bound of the distance to the nearest cell, for vertices of the box
+    double nearest = HUGE_VAL;  // m, upper bound of the distance to the nearest cell, for vertices in the box
     for (const Block& b : surface) nearest = std::min(nearest, mostApart(v.box, b.box));
     for (std::size_t k = 0; k < surface.size(); k++)
       if (leastApart(v.box, surface[k].box) <= (nearest + beyond) * (1 + 1e-12)) wanted[k] = 1;

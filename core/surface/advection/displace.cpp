@@ -17,12 +17,12 @@ double weight(double r2, double h2) {
   return u * u * u;
 }
 
-/// Cutoff of the moment's smallest axis. Particles within a third of their distance from a plane do not
-/// determine the displacement across it. Otherwise the ripples of a single layer would determine its
-/// thickness, and the two sides of a rotating plate would collapse.
+/// Cutoff of the moment's smallest axis. Particles do not determine the displacement normal to a plane if
+/// their heights above it are within a third of their distances. Otherwise, ripples of a single layer would
+/// determine its thickness, and the two sides of a rotating plate would collapse.
 constexpr double layerCutoff = 0.1;
 
-/// Displacement and its gradient at a surfel.
+/// Displacement (m) and its gradient at a surfel.
 struct Carry {
   Vec3d move{};
   Mat3d gradient{};
@@ -30,7 +30,7 @@ struct Carry {
 };
 
 /// Packs the particles' contributions by row: u - G (x_j - origin), G, liquid fraction, temperature. Since u
-/// + G (x - x_j) = (u - G x_j) + G x, these sums serve all x. `origin` is that of the bins, the same on all
+/// + G (x - x_j) = (u - G x_j) + G x, these sums serve all x. origin: m, origin of the bins, the same on all
 /// ranks.
 void packParticles(const SurfaceParticles& p, const Vec3d& origin, AlignedVector<double>& records) {
   records.resize(carryRecord * p.size());
@@ -59,7 +59,7 @@ void packParticles(const SurfaceParticles& p, const Vec3d& origin, AlignedVector
   }
 }
 
-/// Returns displacement, gradient and fields from the sums of one lane. `fromOrigin`: position relative to
+/// Returns displacement, gradient and fields from the sums of one lane. fromOrigin: m, position relative to
 /// the origin.
 Carry carryOf(const double* sums, std::size_t lane, const Vec3d& fromOrigin) {
   Carry c;
@@ -77,8 +77,8 @@ Carry carryOf(const double* sums, std::size_t lane, const Vec3d& fromOrigin) {
 }
 
 /// Gradient of the interpolated displacement sum w (u + G (x - x_j)) / sum w: the mean of G plus the term
-/// from the gradient of the weights. K05's mean of G alone leaves discs on edge in folds that bend and open.
-/// Liquid surfels omit the term, because the iterations determine their normals.
+/// from the gradient of the weights. With K05's mean of G only, discs stand on edge in folds that bend and
+/// open. Liquid surfels omit the term, because the iterations determine their normals.
 struct Bend {
   CarrySums* in;
   const SurfaceKernels* kernels;
@@ -219,8 +219,8 @@ CarrySums carrySumsOf(const Surface& surface, const RelaxTools& r) {
 
 /// Surfels of this rank, later of all ranks.
 struct CarryCounts {
-  std::int64_t uncarried = 0;   ///< without particles within their support
-  std::int64_t keptFrames = 0;  ///< whose tangents would become collinear
+  std::int64_t uncarried = 0;   ///< number of surfels without particles within their support
+  std::int64_t keptFrames = 0;  ///< number of surfels whose tangents would become collinear
 };
 
 /// Sets the displacement and fields of a surfel, and rotates its frame.

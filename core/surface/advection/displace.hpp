@@ -21,16 +21,18 @@ void findDisplacementGradients(const CellGrid& grid, Surface& surface, SurfaceHa
 
 /// Moves surfels with the particles: x += sum w (u_j + grad u_j (x - x_j)). w are the normalised weights (1 -
 /// (r/h_ps)^2)^3 of the component's particles within h_ps, reduced for particles with a larger liquid
-/// fraction (leastMotionWeight). Tangents turn by the exact gradient of this sum, and the normal follows from
-/// them. Liquid surfels use the mean gradient, because the iterations determine their normals. Exact for
-/// affine motion. A surfel without particles takes the mean displacement of neighbouring surfels.
-/// Without those it is deleted and counted (stability row 15). Requires: gradients; surfels on the ranks of
-/// their cells. Afterwards surfels have no ghosts and no valid cells (placeRows). With a liquid fraction,
-/// `carried` and `carriedNormal` are set. Collective.
+/// fraction (leastMotionWeight). The exact gradient of this sum rotates tangents, and the normal follows from
+/// the tangents. Liquid surfels use the mean gradient, because the iterations determine their normals. The
+/// result is exact for affine motion. A surfel without particles gets the mean displacement of neighbouring
+/// surfels.
+/// Without neighbours, it is deleted and counted (stability row 15). Requires: gradients; surfels on the
+/// ranks of their cells. Afterwards surfels have no ghosts and no valid cells (placeRows). With a liquid
+/// fraction, `carried` and `carriedNormal` are set. Collective.
 void displaceSurfels(const Scene& scene, Surface& surface, SurfaceHalos halos, SurfaceTools& tools);
 
-/// Returns the interpolated displacement of each owned surfel, as in displaceSurfels, and moves none. Zero
-/// without particles. Requires: gradients; surfels on the ranks of their cells. Drops ghosts of surfels.
+/// Returns the interpolated displacement (m) of each owned surfel, as in displaceSurfels, without moving
+/// surfels. It is zero without particles. Requires: gradients; surfels on the ranks of their cells. Drops
+/// ghosts of surfels.
 std::vector<Vec3d> interpolatedDisplacements(Surface& surface, SurfaceTools& tools);
 
 }  // namespace thaw

@@ -14,9 +14,9 @@ namespace thaw {
 namespace {
 
 /// Returns the current volume of a solid particle over its volume at rest: det F. An impact compresses a
-/// whole body, and volume enforcement must not inflate its few molten parts in return. Only bodies that began
-/// as solids count, because frozen layers are too thin for a reliable det F. Clamped, because torn
-/// neighbourhoods give extreme values.
+/// whole body, and volume enforcement must not inflate its few molten parts to compensate. Only bodies that
+/// are solid at the start count, because frozen layers are too thin for a reliable det F. The result is
+/// clamped, because torn neighbourhoods give extreme values.
 double deformedVolumeRatio(const SurfaceView& w, std::size_t i) {
   constexpr double least = 0.5, most = 2;
   const Continuum& p = w.particles;
@@ -27,8 +27,8 @@ double deformedVolumeRatio(const SurfaceView& w, std::size_t i) {
 
 }  // namespace
 
-// A ball of R/dx = 5 that is sampled from its shape holds 5 % less than its particles. Melt of meshes keeps
-// the mesh's volume.
+// A ball with R/dx = 5 that is sampled from its shape encloses 5 % less than the volume of its particles.
+// Melt of meshes keeps the mesh's volume.
 void resetMeltedShares(const Scene& scene, Continuum& p) {
   for (std::size_t i = 0; p.surfaceVolumeRatio.active && i < p.owned; i++)
     if (p.surfaceVolumeRatio[i] > 0 && (p.liquid.active ? p.liquid[i] >= 1 : p.phase[i] == Liquid) &&

@@ -6,13 +6,14 @@
 
 namespace thaw {
 
-/// Copies this rank's particles, unsorted, at their positions of the last update, with their displacement
-/// since (minimum image across periodic sides). New particles have their current positions. Not collective.
+/// Copies this rank's particles, unsorted, at their positions in the last update, with their displacement
+/// since then (minimum image across periodic sides). New particles have their current positions. Not
+/// collective.
 void gatherParticles(const SurfaceView& view, int rank);
 
-/// Fades the initial surroundings of particles as liquid deforms: `fill` of the copies decays to 1, by a
-/// factor e per strain of 0.3. Without decay, it would roughen the surface of a splash. Requires:
-/// displacement gradients.
+/// Fades the effect of particles' initial surroundings as liquid deforms: the deviation of `fill` from 1 in
+/// the copies decreases by a factor e per strain of 0.3. Without this, `fill` would roughen the surface of a
+/// splash. Requires: displacement gradients.
 void fadeFill(SurfaceParticles& particles);
 
 /// Sets Continuum::surfaceVolumeRatio to 1 for molten particles of shape-sampled bodies. Call it before

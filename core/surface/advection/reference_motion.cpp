@@ -9,10 +9,10 @@ namespace {
 
 constexpr float flowingFraction = 0.02f;
 /// If reference positions lie this close to a plane, relative to the square of their distances, displacement
-/// across it results from the plane's rotation.
+/// normal to the plane follows from the plane's rotation.
 constexpr double flat = 0.03;
 
-/// Particle relative to the surfel: reference and current position.
+/// Particle relative to the surfel: reference and current position (m).
 struct Partner {
   Vec3d then, now;
   double weight;
@@ -30,7 +30,7 @@ struct AffineMap {
 struct PartnerSearch {
   const Scene& scene;
   const Surface& surface;
-  const Bins& bins;  ///< hold the particles
+  const Bins& bins;  ///< bins of the particles
   Periods periods;
 };
 
@@ -41,7 +41,7 @@ Found findPartners(const PartnerSearch& w, std::size_t i, std::vector<Partner>& 
   partners.clear();
   bool exposed = false;
   forRowsWithin(w.bins, s.position[i], w.surface.particleSupport, [&](std::uint32_t j, double) {
-    // The particle came after the start.
+    // The second test finds particles that appeared after the start.
     if (p.component[j] != s.component[i] || (!p.covered[j] && p.referencePosition[j] == Vec3d{})) return;
     const Vec3d then = minimumImage(p.referencePosition[j] - s.referencePosition[i], w.periods);
     const double share = 1 - dot(then, then) / reach2;

@@ -15,11 +15,11 @@ void recordReference(Continuum& particles, Surface& surface);
 
 /// Moves owned surfels with a reference: sets `carried` (m, relative to the current position) and the frame.
 /// The affine map from reference to current positions of the particles is fitted by moving least squares.
-/// Only particles within referenceReach of the surfel in the reference count. Particles that were distant
-/// there do not influence a surfel, however close they are now. A surfel loses its reference when it melts,
-/// relaxes (Surfels::relaxesOnce), or if one of the particles is exposed (Solids::exposed). With fewer than
-/// three particles, or collinear ones, it moves incrementally. Requires: particle copies with ghosts of
-/// referencePosition and covered, in bins at their previous positions; `carried`.
+/// Only particles within referenceReach of the surfel in the reference count. Particles that were distant in
+/// the reference do not influence a surfel, even if they are close now. A surfel loses its reference when it
+/// melts or relaxes (Surfels::relaxesOnce), or if one of the particles is exposed (Solids::exposed). With
+/// fewer than three particles, or with collinear particles, it moves incrementally. Requires: particle copies
+/// with ghosts of referencePosition and covered, in bins at their previous positions; `carried`.
 void moveByReference(const Scene& scene, Surface& surface, const Bins& particleBins);
 
 /// Radius in the reference, in particle spacings.

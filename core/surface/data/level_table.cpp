@@ -21,7 +21,7 @@ double kernel(double q2) {
 /// Ball of radius 1 / curvature > 0, or the complement of a ball (< 0), in lengths of the kernel.
 struct Round {
   bool cavity;
-  // deepest: depth from which on the colour is 1, or the centre
+  // deepest: depth of the centre, or depth beyond which the colour is 1
   double radius, deepest;
   explicit Round(double curvature)
       : cavity(curvature < 0),
@@ -30,8 +30,8 @@ struct Round {
   // Returns the distance from the centre.
   double place(double depth) const { return cavity ? radius + depth : radius - depth; }
 
-  /// Range of cosines, relative to the centre's direction, for which points at distance rho from a point at r
-  /// are in the body.
+  /// Sets the range of cosines, relative to the centre's direction, for which points at distance rho from a
+  /// point at r are in the body.
   void directions(double r, double rho, double& low, double& high) const {
     double edge;
     if (r * rho < 1e-12) edge = r + rho < radius ? -1 : 1;

@@ -8,12 +8,12 @@
 namespace thaw {
 
 /// Level of the iso-surface for a colour field smoothed twice: a = sum V c_j W with the particles' colour c_j
-/// = sum V W and W = (1 - (r/h_ps)^2)^3. At h_ps = 2 h, the normals of a ball are within 2 degrees, compared
-/// to 4 with c (benchmarks/surface). A fixed level would lie inside curved surfaces, by 0.1 h^2/R on a ball,
-/// and would not exist on drops smaller than the kernel (docs/theory/surfaces.md). The level therefore
-/// depends on the fullness b / a with b = sum V a_j W. It is tabulated for continuous balls and cavities of
-/// all sizes, and is exact to first order in the mean curvature for other bodies. It depends on position
-/// only, without feedback from the surfels' curvature.
+/// = sum V W and W = (1 - (r/h_ps)^2)^3. At h_ps = 2 h, the normals of a ball are accurate to 2 degrees,
+/// compared to 4 degrees with c (benchmarks/surface). The iso-surface of a fixed level would lie inside
+/// curved surfaces, by 0.1 h^2/R on a ball. On drops smaller than the kernel, it would not exist
+/// (docs/theory/surfaces.md). The level therefore depends on the fullness b / a with b = sum V a_j W. It is
+/// tabulated for continuous balls and cavities of all sizes, and is exact to first order in the mean
+/// curvature for other bodies. It depends on position only, without feedback from the surfels' curvature.
 class LevelTable {
  public:
   void fill();
@@ -35,14 +35,14 @@ class LevelTable {
   static double at(const std::array<double, entries + 1>& table, double x);
 };
 
-/// Raises the level where few particles are near. The fullness does not distinguish a thin body from a sparse
-/// one: a fluid stretched without cohesive pressure, below a spout or in a splash. Its surface would enclose
-/// up to twice the particles' volume. The density measure is the sum of (1 - (r/nearSupport)^2)^3 over
-/// particles, with lengths in spacings. It is 2.6 half a spacing above a lattice plane, 1.4 for a row of
-/// particles one spacing apart, and 0.7 for a single particle; these levels remain. The strength depends on
-/// the component (levelRiseOf): volume enforcement draws in a sparse liquid, as in a splash without surface
-/// tension, and least where it is dense. A uniform offset would move the sides of thin rims through each
-/// other.
+/// Raises the level where few particles are near. Fullness does not distinguish a thin body from a sparse
+/// one, such as a fluid that stretches without cohesive pressure below a spout or in a splash. The surface of
+/// such a fluid would enclose up to twice the particles' volume. The density measure is the sum of (1 -
+/// (r/nearSupport)^2)^3 over particles, with lengths in spacings. It is 2.6 at half a spacing above a lattice
+/// plane, 1.4 for a row of particles one spacing apart, and 0.7 for a single particle. Levels in these cases
+/// are unchanged. The strength depends on the component (levelRiseOf). Volume enforcement draws in a sparse
+/// liquid, as in a splash without surface tension, and least where the liquid is dense. A uniform offset
+/// would move the sides of thin rims through each other.
 inline constexpr double nearSupport = 2;
 struct LevelRise {
   /// densityMeasure: sum below which the level rises; largestRise: relative rise without particles nearby
@@ -53,8 +53,8 @@ inline double raisedLevel(double level, double near, const LevelRise& t) {
 }
 
 /// Converts the request of volume enforcement (SurfaceComponent::isoOffset in particle spacings, negative
-/// inward) into level changes. Inward offsets end at leastOffset, and the remainder raises the level in
-/// sparse regions. For lattices stretched along two or three axes, this removes about the volume of the
+/// inward) to level changes. Inward offsets are limited to leastOffset, and the remainder raises the level in
+/// sparse regions. For lattices stretched along two or three axes, this removes about the same volume as the
 /// offset.
 inline constexpr double leastOffset = -0.35;
 inline LevelRise levelRiseOf(double isoOffset) {

@@ -6,7 +6,7 @@
 
 namespace thaw {
 
-/// Weighted mean of colours in integers, independent of the order.
+/// Weighted mean of colours, in integers, so it does not depend on the order.
 struct MeanColour {
   std::int64_t weight = 0, part[3]{};
   /// Adds a colour with u from 0 at the end of the range to 1.

@@ -16,7 +16,7 @@ void placeRows(const CellGrid& grid, CellHalo& halo, Rows& rows, CellTable& cell
     for (std::size_t i = 0; i < rows.owned; i++) {
       double& x = rows.position[i][a];
       x -= length * std::floor((x - low) / length);
-      // rounding
+      // due to rounding
       if (x >= low + length) x = low;
     }
   }

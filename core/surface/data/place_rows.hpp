@@ -14,8 +14,8 @@ void placeRows(const CellGrid& grid, CellHalo& halo, Rows& rows, CellTable& cell
 
 /// Adds ghosts of the surrounding cells. `cells` then lists ghost cells as well. Collective.
 void addGhosts(CellHalo& halo, Table& rows, CellTable& cells, std::span<AnyColumn* const> columns);
-/// Drops ghosts and their cells. `cells` must list owned cells only before ghosts are added again. Not
-/// collective.
+/// Drops ghosts and their cells. Call it before ghosts are added again, because `cells` must then list only
+/// owned cells. Not collective.
 void dropGhosts(Table& rows, CellTable& cells);
 /// Sends columns of existing ghosts again. Collective.
 void refreshGhosts(CellHalo& halo, Table& rows, std::span<AnyColumn* const> columns);

@@ -20,7 +20,7 @@ bool isSampled(const Scene& scene, std::size_t body) {
       rule == OverlapRule::RemoveEarlier)
     return false;
   const Material& m = scene.materials[material];
-  // Parts of it may be liquid.
+  // Parts of the body may be liquid.
   if (b.temperatureField && m.melts()) return false;
   return m.canBeSolid() && paperFraction(m, b.temperature) == 0;
 }

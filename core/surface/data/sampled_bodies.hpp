@@ -24,8 +24,8 @@ inline std::uint32_t surfaceColour(const Scene& scene, std::size_t source) {
 bool hasMesh(const Scene& scene, std::size_t body);
 
 /// Returns whether the surface of this body is sampled from its mesh or shape, instead of grown from its
-/// particles. Shapes are sampled for initial solids only: liquid surfaces would move to the colour's level at
-/// once. Where other bodies cut a body, its surface follows the remaining particles.
+/// particles. Shapes are sampled only for initial solids, because liquid surfaces would move to the colour's
+/// level at once. Where other bodies cut a body, its surface follows the remaining particles.
 bool isSampled(const Scene& scene, std::size_t body);
 
 }  // namespace thaw

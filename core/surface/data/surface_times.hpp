@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wall-clock time of the phases of surface updates on this rank. No result depends on it.
+// Wall-clock time (s) of the phases of surface updates on this rank. No result depends on it.
 #pragma once
 #include <array>
 #include <chrono>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of a run that an update of the surface uses.
+// Parts of a run that an update of the surface uses.
 #pragma once
 #include "core/neighbours/grid.hpp"
 #include "core/particles/continuum.hpp"
@@ -12,8 +12,8 @@
 
 namespace thaw {
 
-/// References to the data of a run on one rank. Made by surfaceView (core/simulation/views/views.hpp), and
-/// valid as long as that data.
+/// References to the data of a run on one rank. surfaceView creates it (core/simulation/views/views.hpp). It
+/// is valid as long as the data.
 struct SurfaceView {
   const Scene& scene;
   const Modules& modules;

@@ -6,7 +6,7 @@
 namespace thaw {
 
 inline constexpr std::uint64_t surfelBit = std::uint64_t{1} << 63;  ///< set in the id of every surfel
-inline constexpr std::uint64_t birthBit = std::uint64_t{1} << 62;   ///< set in the ids of surfels that were
-                                                                    ///< not sampled
+inline constexpr std::uint64_t birthBit = std::uint64_t{1} << 62;   ///< set in the id of every surfel that
+                                                                    ///< was not sampled
 
 }  // namespace thaw

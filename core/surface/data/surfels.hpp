@@ -96,14 +96,14 @@ struct Surfels : Table {
   // clang-format on
 };
 
-/// Returns true if the forces of an update move a surfel. They move surfels of liquids, and new surfels of
-/// faces once.
+/// Returns true if the forces of an update move a surfel. They move surfels of liquids, and, once, new
+/// surfels of crack faces.
 inline bool mayRelax(const Surfels& s, std::size_t i) {
   return (s.liquid.active && s.liquid[i] > 0) || (s.relaxesOnce.active && s.relaxesOnce[i]);
 }
 
-/// Fractions of an offset by which volume enforcement moves a surfel, in liquid and in frozen components. The
-/// frozen fraction excludes mesh detail.
+/// Return the fractions of an offset by which volume enforcement moves a surfel, in liquid and in frozen
+/// components. The frozen fraction excludes mesh detail.
 inline double liquidShare(const Surfels& s, std::size_t i) {
   return s.liquid.active ? static_cast<double>(s.liquid[i]) : 0;
 }
@@ -114,7 +114,7 @@ inline double frozenShare(const Surfels& s, std::size_t i) {
 inline bool liesOnWall(const Surfels& s, std::size_t i) { return s.onWall.active && s.onWall[i]; }
 
 /// Particle copies of a surface update, on the rank that owns their cell of Surface::grid. Every update makes
-/// new ones.
+/// new copies.
 struct SurfaceParticles : Table {
   SurfaceParticles() : Table("surface particles") {}
   // clang-format off

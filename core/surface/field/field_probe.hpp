@@ -18,8 +18,8 @@ struct SurfaceTools;
 /// Returns pointers and lengths for sums over particles. The caller sets the query positions and the output.
 ForceSums particleSumsOf(const Scene& scene, const Surface& surface, const SurfaceTools& tools);
 
-/// Colour field of one component at a position (sum of prepareParticles, 1 deep inside) and its gradient
-/// (1/m). Also its level on the surface there (LevelTable), and the damping of Newton's step.
+/// Colour field (1) of one component at a position (sum of prepareParticles, 1 deep inside), and its gradient
+/// (1/m). level: value on the surface there (LevelTable). tight: damping factor of Newton's step.
 struct FieldSample {
   double value = 0, level = 0.5, tight = 1;
   Vec3d gradient{};
@@ -33,13 +33,13 @@ class FieldProbe {
   const Scene& scene() const { return scene_; }
   const Surface& surface() const { return surface_; }
   /// Selects the particles that act on positions in a box: particles of the component within h_ps of it, in
-  /// the order of the bins. Only particles within a cell's edge of `ownPosition`, the position of an owned
-  /// particle or surfel, count, because farther ghosts depend on the ranks. For positions within half a
-  /// spacing of `ownPosition` these are all.
+  /// the order of the bins. `ownPosition` (m) is the position of an owned particle or surfel. Only particles
+  /// within a cell's edge of it count, because farther ghosts depend on the ranks. For positions within half
+  /// a spacing of `ownPosition`, no particle is missing.
   void around(const PlaceBox& box, std::uint64_t component, const Vec3d& ownPosition);
   /// Selects these rows, in their order.
   void selectRows(const std::uint32_t* rows, std::size_t count, std::uint64_t component);
-  /// Evaluates the field at n <= most positions.
+  /// Evaluates the field at n <= most positions (m).
   void at(const Vec3d* x, std::size_t n, FieldSample* found);
 
  private:
@@ -57,8 +57,8 @@ class FieldProbe {
   alignas(32) std::array<float, most * particleSums> over_{};
 };
 
-/// Calls found(row, field) for the owned surfels with asked[row], in any order. The field is that of their
-/// component at their position. Uses tools.relax.lists.
+/// Calls found(row, field) for the owned surfels with asked[row], in any order. field: field of the surfel's
+/// component at its position. Uses tools.relax.lists.
 void forFieldAtSurfels(const Scene& scene, const Surface& surface, SurfaceTools& tools,
                        const std::vector<std::uint8_t>& probed,
                        const std::function<void(std::size_t, const FieldSample&)>& found);

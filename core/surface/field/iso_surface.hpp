@@ -10,8 +10,8 @@
 
 namespace thaw {
 
-/// Newton's step onto the iso-surface, or onto an offset of `isoOffset` (m): the outward direction and the
-/// distance along it (m, clamped to `longest`). Returns nothing where the gradient is too small.
+/// Newton's step onto the iso-surface, or onto an offset of `isoOffset` (m) from it: outward unit direction,
+/// and distance along it (m, clamped to `longest`). isoStep returns nothing if the gradient is too small.
 struct IsoStep {
   Vec3d outward{};
   double out = 0;
@@ -26,9 +26,9 @@ struct IsoTarget {
   double farthest;    ///< m, largest distance of the surface from a position
 };
 
-/// Projects up to FieldProbe::most positions (m) along the gradient onto a component's iso-surface. Sets
-/// found[k] to point and normal, or to nothing without a surface near from[k]. Changes the particles selected
-/// in the probe.
+/// Projects n <= FieldProbe::most positions along the gradient onto a component's iso-surface and returns
+/// points and normals. Positions without a surface within `farthest` (m) give nothing. ownPosition: see
+/// FieldProbe::around. Changes the particles selected in the probe.
 void projectToIsoSurface(FieldProbe& probe, const IsoTarget& target, std::span<const Vec3d> from,
                          std::optional<SurfacePoint>* found);
 

@@ -11,12 +11,12 @@
 namespace thaw {
 namespace {
 
-/// Factors that normalise the colour, a sum of (1 - (r/h)^2)^3, to 1 inside a lattice of spacing 1.
+/// Factors that normalise the colour, a sum of (1 - (r/h)^2)^3, to 1 inside a lattice with spacing 1.
 struct Lattice {
-  double perSum = 0;     ///< inverse sum over the cubic lattice, for sums at positions
+  double perSum = 0;     ///< inverse of the sum over the cubic lattice, for sums at arbitrary positions
   double perOwnSum = 0;  ///< the same for sums at particles
-  /// Weight of a particle in its own sum. It represents a ball, not a point, so that a lone particle has its
-  /// own volume.
+  /// Weight of a particle in its own sum. It represents a ball, not a point, so the surface of a single
+  /// particle encloses its volume.
   double self = 1;
 };
 Lattice latticeOf(double h, const LevelTable& table) {
@@ -28,8 +28,8 @@ Lattice latticeOf(double h, const LevelTable& table) {
         const double u = 1 - (x * x + y * y + z * z) / (h * h);
         if (u > 0) sum += u * u * u;
       }
-  // A lone particle has colours c = x, a = x^2 and fullness b / a = x = self / (sum - 1 + self). Around it
-  // the colour is c u^3 / sum. This must equal its level at the surface of its volume.
+  // A single particle has colours c = x, a = x^2 and fullness b / a = x = self / (sum - 1 + self). Around it,
+  // the colour is c u^3 / sum. At the surface of its volume, the colour must equal the level.
   const double R = std::cbrt(3 / (4 * std::numbers::pi)), u = 1 - R * R / (h * h), wanted = u * u * u / sum;
   double low = 0, high = 1 / sum;
   for (int k = 0; k < 60; k++) {
@@ -43,8 +43,8 @@ Lattice latticeOf(double h, const LevelTable& table) {
   return l;
 }
 
-/// Returns the volume (m^3) of each particle in the colour field, ghosts included. Particles cut from a
-/// lattice count with the body's fraction of their cell, so that balls have no steps.
+/// Returns the volume (m^3) of each particle in the colour field, ghosts included. The weight of a lattice
+/// particle includes the body's fraction of its cell, so balls have no steps.
 std::vector<double> weightsOf(const SurfaceParticles& p) {
   std::vector<double> weight(p.volume.data(), p.volume.data() + p.size());
   if (p.fill.active)

@@ -10,17 +10,17 @@ namespace thaw {
 struct SurfaceTools;
 
 /// Migrates the particle copies to the ranks that own their cells, without ghosts. Results of
-/// prepareParticles become stale. Collective.
+/// prepareParticles become invalid. Collective.
 void placeParticles(Surface& surface, SurfaceHalos halos, SurfaceTools& tools);
 
-/// Computes ghosts and bins of the particles, and at each the colour field of its own component. It is
-/// smoothed once and twice (level_table.hpp), and 1 inside a lattice. Does nothing if
+/// Computes ghosts and bins of the particles, and the colour field of its own component at each particle. The
+/// field is smoothed once and twice (level_table.hpp), and is 1 inside a lattice. Does nothing if
 /// tools.relax.particlesPrepared is set. Requires: placed particles. Collective.
 void prepareParticles(const Scene& scene, Surface& surface, SurfaceHalos halos, SurfaceTools& tools);
 
 /// Samples liquid fraction and temperature at owned surfels: means over their component's particles within
-/// h_ps, with the same weight. Values remain where there are none. Requires: prepareParticles; placed
-/// surfels. Collective unless prepareParticles was called.
+/// h_ps, with weights (1 - (r/h_ps)^2)^3. Without such particles, values do not change. Requires: placed
+/// particles and surfels. Collective unless prepareParticles was called.
 void sampleFields(const Scene& scene, Surface& surface, SurfaceHalos halos, SurfaceTools& tools);
 
 }  // namespace thaw

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Areas of Voronoi cells, eight at a time. Each bisector keeps the interval that the other bisectors leave.
-// All pairs are clipped without branches: a surfel has eight to eleven neighbours, and this is faster than
-// clipping a polygon.
+// Areas of Voronoi cells, eight at a time. Each bisector keeps the interval that remains after clipping by
+// the other bisectors. All pairs are clipped without branches. A surfel has eight to eleven neighbours, for
+// which this is faster than clipping a polygon.
 #include "core/math/vec3.hpp"
 #include "core/simd/lanes.hpp"
 #include "core/surface/kernels/surface_kernels.hpp"
@@ -20,8 +20,8 @@ THAW_INLINE void store(double* to, LanesD v) {
   *reinterpret_cast<Vec4d*>(to + 4) = v.hi;
 }
 
-/// Half plane n.p <= height with a unit vector n. The remaining part of its line is [from, to] along n turned
-/// to the left.
+/// Half plane n . p <= height with a unit vector n. The remaining part of its border is [from, to] along n
+/// rotated to the left.
 struct Line {
   LanesD x, y, height, from, to;
 };
@@ -67,7 +67,7 @@ void areas(const AreaCells& in, double* area, double* farthest2) {
     // Higher or lower neighbours belong to another layer.
     const auto cuts = there & (height * height < half * d2);
     const LanesD perFlat = one / sqrt(select(cuts, flat2, one));
-    // half the length of the arc between the two surfels
+    // half of the arc length between the two surfels
     const LanesD away = half * sqrt(d2) * (one + (one - cosine) * LanesD(1.0 / 12));
     lines[k] = {select(cuts, dot(d, u) * perFlat, one), select(cuts, dot(d, v) * perFlat, zero),
                 select(cuts, away, none * LanesD(static_cast<double>(k + 1))), -none, none};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Interpolates the particles' displacement at eight surfels (K05 4.2.1). A lane is a surfel, as in
-// forces_isa.cpp. Double precision avoids drift of surfaces that rotate for long.
+// forces_isa.cpp. Double precision avoids drift of surfaces in long rotations.
 #include "core/math/vec3.hpp"
 #include "core/simd/lanes.hpp"
 #include "core/surface/kernels/surface_kernels.hpp"
@@ -26,7 +26,7 @@ THAW_INLINE LanesD loadLiquid(const CarrySums& in, std::size_t g) {
   return loadRow(own);
 }
 
-/// Returns the factor of a particle's weight in the motion.
+/// Returns the factor of a particle's weight in the motion of a surfel.
 THAW_INLINE LanesD carrying(double particle, const LanesD& surfel) {
   return max(LanesD(1.0) - max(LanesD(particle) - surfel, LanesD(0.0)), LanesD(leastMotionWeight));
 }

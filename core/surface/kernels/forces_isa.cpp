@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums at surfels over surrounding particles and surfels (K05 4.2.2). A lane is a surfel and adds its
-// neighbours in the order of the group's list. Eight adjacent surfels share a list, so that a neighbour is
-// loaded once for all lanes. This is faster than a list for each surfel.
+// Sums at surfels over surrounding particles and surfels (K05 4.2.2). A lane is a surfel, and adds its
+// neighbours in the order of the group's list. Eight adjacent surfels share a list, so a neighbour is loaded
+// once for all lanes. This is faster than a list for each surfel.
 #include "core/math/vec3.hpp"
 #include "core/simd/isa_name.hpp"
 #include "core/simd/lanes.hpp"
@@ -35,7 +35,7 @@ template<bool gaps> THAW_INLINE void overParticlesOf(const ForceSums& in, std::s
   LanesF colour(0.0f), smooth(0.0f), near(0.0f);
   V gradient{zero, zero, zero}, smoothGradient{zero, zero, zero}, attraction{zero, zero, zero},
       nearGradient{zero, zero, zero}, up{zero, zero, zero};
-  // least height of a surfel above a contributing particle
+  // smallest height of a surfel above a contributing particle
   LanesF lowest(0.0f);
   if constexpr (gaps) {
     const Lanes4<float> frame = load(records(in.normal), in.self + 8 * g);
@@ -96,7 +96,7 @@ template<bool plane> THAW_INLINE void overSurfelsOf(const ForceSums& in) {
       const Record<float>& f = records(in.normal)[j];
       const V d = apart(own, x), other{LanesF(f.a), LanesF(f.b), LanesF(f.c)};
       const LanesF r2 = dot(d, d), span = range * (frame.d + LanesF(f.d));
-      // About half of the list is beyond the range, because of its margin.
+      // Because of the margin, about half of the list is out of range.
       if (!any(r2 < max(reach2, span * span * beyond))) continue;
       const LanesF sides = dot(normal, other), u = max(one - r2 * perReach2, zero);
       const auto distinct = r2 > zero;
@@ -109,7 +109,7 @@ template<bool plane> THAW_INLINE void overSurfelsOf(const ForceSums& in) {
         square += w * V{d.x * d.x, d.y * d.y, d.z * d.z};
         mixed += w * V{d.x * d.y, d.y * d.z, d.x * d.z};
       } else {
-        // The neighbour's normal is mirrored at the bisector plane. A sphere through both surfels with their
+        // The neighbour's normal is mirrored at the bisector plane. A sphere through both surfels with these
         // normals is its own mirror image.
         const LanesF along = dot(d, other), fold = two * along / max(r2, tiny);
         height += w * half * (dot(d, normal) + along);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds positions near a box, eight at a time. Every search of the surface begins with it.
+// Finds positions near a box, eight at a time. Every search on the surface begins with this kernel.
 #include "core/simd/pack.hpp"
 #include "core/surface/kernels/surface_kernels.hpp"
 

@@ -11,8 +11,8 @@ namespace {
 constexpr double sharp = 0.3;
 constexpr double rounder = 0.35;
 
-/// Returns eight times the height of the arc above a chord, times the chord (m^2). n and m are the normals at
-/// its ends.
+/// Returns eight times the height of the arc above a chord, times the chord's length (m^2). n and m: normals
+/// at its ends.
 double archOver(const Vec3d& chord, const Vec3d& n, const Vec3d& m) {
   const double flat = dot(m - n, chord), cosine = dot(n, m);
   return (cosine < sharp ? 2 : 1 + rounder * (1 - cosine)) * flat;
@@ -44,7 +44,8 @@ void measureFan(Surfels& f, std::size_t i, std::span<const std::uint32_t> ring) 
     const Spoke b = k < ring.size() ? Spoke(f, i, ring[k]) : first;
     const Vec3d twice = cross(a.to, b.to);
     const double between = dot(a.to, b.to), twice2 = dot(twice, twice);
-    // Otherwise the turn to the next neighbour exceeds half a revolution (a rim), or all are collinear.
+    // Otherwise, the angle to the next neighbour exceeds half a revolution (a rim), or all three points are
+    // collinear.
     if (dot(twice, n) > 0 && twice2 > 1e-12 * a.length2 * b.length2) {
       const double share = std::clamp(
           (a.length2 * (b.length2 - between) + b.length2 * (a.length2 - between)) / (4 * twice2), 0.0, 1.0);

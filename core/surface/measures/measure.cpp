@@ -16,8 +16,8 @@ namespace {
 /// Component with intermediate results.
 struct Record {
   SurfaceComponent measured;
-  Vec3d anchor{};     // position of the particle that labels it
-  int ranks = 0;      // number of ranks with rows of it
+  Vec3d anchor{};     // m, position of the particle that labels the component
+  int ranks = 0;      // number of ranks with rows of the component
   Sectors sectors{};  // occupied sectors of periodic axes
   PeriodicCut piece;  // position across periodic sides
 };
@@ -91,7 +91,7 @@ std::vector<Group> groupsOf(const Surface& s, const std::vector<std::uint32_t>& 
   return groups;
 }
 
-/// Returns the least width (m) of empty sectors at which a component may be cut open.
+/// Returns the smallest width (m) of empty sectors at which a component may be cut open.
 double gapOf(const Surface& s) { return 2 * s.spacing; }
 
 /// Returns all components of all ranks, with counts, anchors and positions across periodic sides, ascending

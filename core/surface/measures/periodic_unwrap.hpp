@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Unwraps a component along periodic axes: the domain is cut open in the widest gap of the component.
+// Unwraps a component along periodic axes. The domain is cut open in the widest gap of the component.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -10,12 +10,12 @@
 
 namespace thaw {
 
-/// Bits of the occupied sectors of the domain along each periodic axis. Independent of the order of rows;
-/// sectors of parts combine by |.
+/// Bits of the occupied sectors of the domain along each periodic axis. They do not depend on the order of
+/// rows. Sectors of parts are combined by |.
 using Sectors = std::array<std::uint64_t, 3>;
 
-/// Returns the number of sectors of an axis: at most 64, each at least `least` (m) wide, so that an empty
-/// sector is not a gap between neighbours.
+/// Returns the number of sectors of an axis: at most 64, each at least `least` (m) wide, so an empty sector
+/// is wider than the distance of neighbours.
 inline int sectorCount(const CellGrid& g, int axis, double least) {
   return static_cast<int>(std::clamp(g.period[axis] / least, 1.0, 64.0));
 }
@@ -39,7 +39,7 @@ inline void addToSectors(const CellGrid& g, double least, const Vec3d& x, Sector
 
 /// Position of a component's cut along each axis.
 struct PeriodicCut {
-  /// The component occupies every sector of a periodic axis and has no gap.
+  /// true for a periodic axis along which the component has no gap
   std::array<bool, 3> round{};
   /// m, relative to the low side: middle of the widest gap, where the domain is cut; 0 without a gap
   Vec3d from{};
@@ -63,8 +63,8 @@ inline PeriodicCut findPeriodicCut(const CellGrid& g, double least, const Sector
   return p;
 }
 
-/// Returns x shifted by periods to its place in the unwrapped component: along periodic axes between the cut
-/// and one period beyond.
+/// Returns x (m) shifted by periods to its position in the unwrapped component. Along periodic axes, it is
+/// between the cut and one period beyond.
 inline Vec3d unwrappedPosition(const CellGrid& g, const PeriodicCut& p, Vec3d x) {
   for (int a = 0; a < 3; a++) {
     if (!g.periodic[a]) continue;

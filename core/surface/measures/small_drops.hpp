@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drops of few particles: their surface is a sphere that every update rebuilds (renewSurfels).
+// Drops of few particles. Their surface is a sphere that every update rebuilds (renewSurfels).
 #pragma once
 #include "core/surface/measures/measure.hpp"
 

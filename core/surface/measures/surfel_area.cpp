@@ -12,7 +12,8 @@
 namespace thaw {
 namespace {
 
-// 60 degrees: on the sphere of a single particle, normals of adjacent surfels differ by up to 55.
+// Cosine of 60 degrees. On the sphere of a single particle, normals of adjacent surfels differ by up to 55
+// degrees.
 constexpr double cosFlat = 0.5;
 constexpr double cosBack = -0.5;
 constexpr std::uint32_t noRow = ~0u;
@@ -24,7 +25,7 @@ struct Point2 {
 /// Convex cell around the origin.
 class Cell {
  public:
-  /// Makes a hexagon around a circle.
+  /// Makes a hexagon around a circle of this radius (m).
   explicit Cell(double radius) {
     static const auto corner = [] {
       std::array<Point2, 6> c;
@@ -64,7 +65,7 @@ class Cell {
     }
     return rim;
   }
-  /// Clips the cell to a.p <= b with b >= 0; `row` is beyond the new border. Returns whether the cell
+  /// Clips the cell to a . p <= b with b >= 0. row: neighbour beyond the new border. Returns whether the cell
   /// changed.
   bool clipAt(const Point2& a, double b, std::uint32_t row) {
     bool any = false;
@@ -92,7 +93,7 @@ class Cell {
     std::copy_n(beyond.begin(), m, beyond_.begin());
     return true;
   }
-  /// Returns whether another clip might exceed the number of corners.
+  /// Returns whether another clip may exceed the maximum number of corners.
   bool full() const { return n_ + 1 >= most; }
 
  private:
@@ -110,9 +111,9 @@ struct Candidate {
   bool operator<(const Candidate& o) const { return d2 != o.d2 ? d2 < o.d2 : id < o.id; }
 };
 
-/// Clips the cell halfway to neighbours, nearest first, until the next cannot intersect it. With atEdges,
-/// neighbours across an edge clip at the intersection of both planes instead. Returns whether neighbours lie
-/// across an edge.
+/// Clips the cell halfway to neighbours, nearest first, until the next neighbour cannot intersect it. With
+/// atEdges, neighbours across an edge clip at the intersection of the two planes instead. Returns whether
+/// neighbours lie across an edge.
 bool clipCell(const Surfels& f, std::size_t i, std::span<const Candidate> near, bool atEdges, Cell& cell) {
   bool edges = false;
   const Vec3d n = f.normal[i], e1 = normalized(f.tangent[i] - dot(f.tangent[i], n) * n), e2 = cross(n, e1);
@@ -154,7 +155,8 @@ constexpr double reach = 2.31;
 // Most cells end within half of this, in radii.
 constexpr double usual = 1.8;
 
-/// Lists the neighbours that may clip typical cells, valid until one approaches by `slack` (m).
+/// Lists the neighbours that may clip typical cells. The lists are valid until a neighbour approaches by
+/// `slack` (m).
 void listNear(const Surface& s, double slack, AreaLists& l) {
   const Surfels& f = s.surfels;
   double largest = 0;
@@ -184,7 +186,7 @@ void listNear(const Surface& s, double slack, AreaLists& l) {
   l.near.resize(n);
 }
 
-/// Returns whether the lists still apply: no surfel has moved by half the slack.
+/// Returns whether the lists are still valid, because no surfel has moved by half the slack (m).
 bool stillHolds(const Surfels& f, double slack, const AreaLists& l) {
   if (l.found.size() != f.size() || l.queries.size() != f.owned) return false;
   for (std::size_t i = 0; i < f.size(); i++) {
@@ -205,7 +207,7 @@ void pack(const Surfels& f, AreaLists& l) {
   }
 }
 
-/// Clips the cell of a surfel with a neighbour across an edge, or beside a hole or rim.
+/// Clips the cell of a surfel that has a neighbour across an edge, or is next to a hole or rim.
 void clipAlone(Surfels& f, std::size_t i, double slack, const Bins& bins, std::vector<Candidate>& near,
                std::vector<std::uint32_t>& ring) {
   near.clear();
@@ -266,7 +268,7 @@ void findSurfelAreas(Surface& s, Reducer& all, AreaLists& l, bool again) {
   Surfels& f = s.surfels;
   const double slack = 0.25 * s.spacing;
   double anew = !again || !stillHolds(f, slack, l);
-  // On all ranks or none: new lists have another order.
+  // All ranks make new lists if any rank does, because new lists have another order.
   if (again) all.maximum({&anew, 1});
   if (anew > 0) listNear(s, slack, l);
   pack(f, l);

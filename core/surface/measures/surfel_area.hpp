@@ -28,8 +28,8 @@ void clearAreas(Surfels& surfels);
 /// in the tangent plane, among neighbours of the same component (ghosts included). Neighbours with normals
 /// within 60 degrees are mapped into the plane at their arc length. Neighbours across an edge clip the cell
 /// at their own tangent plane. Neighbours with opposite normals (the back of a sheet) are ignored. Without
-/// neighbours, the cell ends at the surfel's radius. Facets connect it with the neighbours at its cell's
-/// borders. Requires: ghosts. again: only positions have changed since the last call. Collective.
+/// neighbours, the cell ends at the surfel's radius. Facets connect the surfel with the neighbours at its
+/// cell's borders. Requires: ghosts. again: only positions have changed since the last call. Collective.
 void findSurfelAreas(Surface& surface, Reducer& all, AreaLists& lists, bool again = false);
 
 }  // namespace thaw

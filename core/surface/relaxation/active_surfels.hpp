@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Selects the surfels that the iterations of an update work on (local work, K05 section 5). Work begins with
-// the surfels that the forces may move. It shrinks to moving surfels and their surroundings.
+// Selects the surfels for the iterations of an update (local work, K05 section 5). The first iteration
+// includes all surfels that the forces may move. Later iterations include only moving surfels and their
+// surroundings.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -11,15 +12,15 @@
 
 namespace thaw {
 
-/// Flags the owned surfels that the forces may move; with `all` every one. Surfels of drops with at most
-/// smallDrop particles are left out. They form spheres (renewSurfels), and the colour field between two such
-/// drops would tear them apart.
+/// Flags the owned surfels that the forces may move; with `all`, every surfel. Surfels of drops with at most
+/// smallDrop particles are excluded. They form spheres (renewSurfels), and the colour field between two such
+/// drops would deform them.
 void markFree(const Surface& surface, bool all, std::vector<std::uint8_t>& free);
 
-/// Narrows `free` to the surfels that may move before the next search. `core`: a moving surfel lies within
-/// `reach` (m, at most the grid's edge). `free`: a surfel of the core lies within `reach`. Motion of a surfel
-/// outside the core may reach beyond the lists. Changes Surfels::resampleFlags. Requires: ghosts with
-/// Surfels::moving; bins of all rows. Collective.
+/// Restricts `free` to the surfels that may move before the next search. A surfel is in `core` if a moving
+/// surfel lies within `reach` (m, at most the grid's edge). It stays in `free` if a surfel of the core lies
+/// within `reach`. If a surfel outside the core moves, the lists may be incomplete. Changes
+/// Surfels::resampleFlags. Requires: ghosts with Surfels::moving; bins of all rows. Collective.
 void markActive(Surface& surface, CellHalo& halo, const Bins& bins, double reach,
                 std::vector<std::uint8_t>& free, std::vector<std::uint8_t>& core);
 

@@ -9,19 +9,20 @@
 namespace thaw {
 namespace {
 
-/// Half-molten, a strain of 1 leaves 1/e of a detail's height.
+/// Rate of fading with strain. On a half-molten surface, a strain of 1 leaves 1/e of a detail's height.
 constexpr double strainFading = 2;
 
 /// Motion of a surfel in this update from its carried to its relaxed position.
 struct RelaxationStep {
   double down = 0;   // m, against the relaxed normal
-  double share = 0;  // share of the remaining motion: along the surface and of the rotation
+  double share = 0;  // 1, fraction of the remaining motion: along the surface, and of the rotation
 };
 
 /// Returns the motion of surfel i. Its height over the smooth surface is its detail height plus a height
-/// added by motion. The detail fades to the factor 1 - b, for the largest b since it was solid, and with
-/// strain by exp(-wipes b strain). The added height fades by b in each update, as in the paper; it does not
-/// return. At small b, added height becomes detail, because nearly solid surfels are carried, not relaxed.
+/// added by motion. The detail fades to the factor 1 - b, for the largest liquid fraction b since it was
+/// solid, and with strain by exp(-strainFading b strain). The added height fades by b in each update, as in
+/// the paper, permanently. At small b, added height becomes detail, because nearly solid surfels are carried,
+/// not relaxed.
 RelaxationStep relaxationStepOf(Surfels& s, std::size_t i, double b, double height) {
   const bool recorded = s.maxLiquidFraction.active;
   const double before = recorded ? static_cast<double>(s.maxLiquidFraction[i]) : 0,
@@ -36,7 +37,7 @@ RelaxationStep relaxationStepOf(Surfels& s, std::size_t i, double b, double heig
     s.detailHeight[i] = static_cast<float>(detailHeight * left + solid * solid * added);
   }
   const double off = std::min(1.0, added * added / (s.radius[i] * s.radius[i]));
-  // Never move away from the surface.
+  // The surfel never moves away from the surface.
   const double down = std::clamp(detailHeight * (1 - left) + b * added, std::min(height, 0.0),
                                  std::max(height, 0.0));
   return {down, 1 - left * (1 - b * off)};

@@ -24,15 +24,16 @@ struct MovableArea {
   double tolerance = 0;
 };
 
-/// Returns the movable part of a component. Excluded are small drops that no wall flattens, because they are
-/// spheres of their volume; surfaces with a large hole; and solids that were never enforced as liquids. In
-/// bodies with remaining mesh detail, only crack faces would move. At the start, grown solids are included,
-/// because their colour level is too far out around plates of two layers.
+/// Returns the movable part of a component. Small drops away from walls are excluded, because they are
+/// spheres of the correct volume. Surfaces with a large hole are excluded, as are solids that never moved as
+/// liquids. In bodies with remaining mesh detail, only crack faces would move. At the start, grown solids are
+/// included, because their colour level is too far out around plates of two layers.
 MovableArea movableAreaOf(const SurfaceComponent& c, bool start) {
   constexpr std::int64_t fewest = 12;
   constexpr double leastFree = 0.03, leastFrozen = 0.9, closed = 0.25;
   if (c.surfels < fewest || !(c.targetVolume > 0) || !(c.open < closed)) return {};
-  // Surface on a wall cannot move. If nearly all of it lies on walls, the small free rest cannot compensate.
+  // Surface on a wall cannot move. If nearly all surface lies on walls, the small free part cannot
+  // compensate.
   const auto area = [&](double all) { return std::max(all - c.wallArea, 0.2 * all); };
   if (c.particles <= smallDrop)
     return c.wallArea > 0 ? MovableArea{area(c.area), MovablePart::Drop, 5e-3} : MovableArea{};
@@ -44,7 +45,7 @@ MovableArea movableAreaOf(const SurfaceComponent& c, bool start) {
 
 double errorOf(const SurfaceComponent& c) { return std::abs(c.volume - c.targetVolume) / c.targetVolume; }
 
-/// Returns the fraction of its component's offset that surfel i takes.
+/// Returns the fraction of its component's offset by which surfel i moves.
 double shareOf(const Surfels& f, std::size_t i, MovablePart what) {
   return what == MovablePart::Drop     ? 1
          : what == MovablePart::Frozen ? frozenShare(f, i)
@@ -52,8 +53,8 @@ double shareOf(const Surfels& f, std::size_t i, MovablePart what) {
                                        : 0;
 }
 
-/// Returns the change of volume per offset (m^2): measured at the last offset of this update, else the free
-/// area. A drop on a wall has up to twice its free area, since its surface bends.
+/// Returns the change of volume per offset (m^2): from the last offset of this update, else the free area.
+/// For a drop on a wall, it is up to twice the free area, since the surface bends.
 double areaMoved(double free, double volume, const VolumeMove& last) {
   constexpr double least = 0.25, most = 4;
   return last.by != 0 ? std::clamp((volume - last.volume) / last.by, least * free, most * free) : free;
@@ -102,10 +103,10 @@ void offsetToVolume(Surface& s, const Bins& surfelBins, double weight, double pa
     const double by = std::clamp(
         weight * (c.targetVolume - c.volume) / areaMoved(hold.area, c.volume, last[k]), -longest, longest);
     last[k] = {c.volume, by};
-    // Includes offsets that the level of the iterations cannot follow. The iterations undo these, and the
-    // next update repeats them.
+    // This includes offsets that the level of the iterations cannot follow. The iterations undo such offsets,
+    // and the next update repeats them.
     moves[k] = {by, hold.what};
-    // Its sphere is rebuilt in each update.
+    // The drop's sphere is rebuilt in each update.
     if (hold.what == MovablePart::Drop) continue;
     // Initial solids keep their position afterwards.
     if (start && hold.what == MovablePart::Frozen) continue;

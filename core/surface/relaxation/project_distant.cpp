@@ -16,11 +16,12 @@ namespace {
 
 /// Distance to the surface, in spacings of surfels, below which the forces take over.
 constexpr double nearEnough = 0.3;
-/// Number of steps of half a particle spacing each, within the room of the grid's cells (prepareSurface).
+/// Number of steps of half a particle spacing each, for which the grid's cells are large enough
+/// (prepareSurface).
 constexpr int projectionSteps = 5;
 
 /// One step of Newton's method for the surfels of a group, within `room` (m) of their sorted positions.
-/// Surfels that reach the surface, or find none, are no longer stoppedAtMargin.
+/// Surfels that reach the surface, or have none nearby, are no longer stoppedAtMargin.
 void projectionStep(const SurfaceView& w, FieldProbe& probe, const std::uint32_t* rows, std::size_t n,
                     double isoOffset, double room) {
   Surfels& f = w.surface.surfels;

@@ -9,9 +9,10 @@ namespace thaw {
 struct SurfaceTools;
 
 /// Projects surfels that stopped at the margin (stoppedAtMargin), far from the surface, along the gradient of
-/// the colour field. Forces would need a new search for each margin of the distance. Partly molten surfaces
-/// have many such surfels, because blendSurfels keeps only the liquid share of each update's motion. Surfels
-/// below a gap are left to the forces. Surfels have no order and no ghosts afterwards. Collective.
+/// the colour field. With forces, a new search would be needed for each margin of the distance. Partly molten
+/// surfaces have many such surfels, because blendSurfels keeps only the liquid fraction of each update's
+/// motion. Surfels below a gap are left to the forces. Afterwards, surfels have no order and no ghosts.
+/// Collective.
 void projectDistantSurfels(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tools);
 
 }  // namespace thaw

@@ -44,10 +44,11 @@ void packSurfel(const Surface& s, RelaxTools& r, std::size_t i) {
   normal[3] = static_cast<float>(std::min(f.radius[i], s.spacing) / s.grid.support);
 }
 
-/// Largest relevant gap over h_ps: a sheet's particles lie half a spacing behind its surface.
+/// Largest relevant gap over h_ps. It is below 1, because a sheet's particles lie half a spacing behind its
+/// surface.
 constexpr double gapReach = 0.75;
 
-/// Number of iterations before moves across the surface are damped, and the damping factor of each later
+/// Number of iterations before moves normal to the surface are damped, and damping factor of each later
 /// iteration.
 constexpr std::int64_t easeAfter = 8;
 constexpr double easing = 0.8;
@@ -121,7 +122,7 @@ void listMovingGroups(const GroupLists& l, const Surfels& f, std::vector<std::ui
       }
 }
 
-/// Keeps groups with a surfel that has a moving surfel within h_ss, or moves itself.
+/// Keeps groups with a moving surfel, or with a surfel that has a moving surfel within h_ss.
 void keepMovingGroups(const GroupLists& l, const float* sums, int channels,
                       std::vector<std::uint32_t>& groups) {
   std::erase_if(groups, [&](std::uint32_t g) {
@@ -163,7 +164,8 @@ void endRelaxation(Surface& s, const MoveCounts& counts, Reducer& all) {
   deactivate(f.wallAligned);
 }
 
-/// Sums over surfels and particles of the groups with work, which it lists in RelaxTools::groups.
+/// Computes the sums over surfels and particles for the groups with work. Lists these groups in
+/// RelaxTools::groups.
 ForceSums sumForces(const SurfaceView& w, SurfaceTools& t, Lap& lap) {
   RelaxTools& r = t.relax;
   ForceSums in = sumsOf(w.scene, w.surface, t);
@@ -183,8 +185,8 @@ ForceSums sumForces(const SurfaceView& w, SurfaceTools& t, Lap& lap) {
 /// Motion of surfels after an iteration, on this rank or on all.
 struct Motion {
   bool running = true;   ///< a surfel moves
-  bool spreads = false;  ///< one moves outside of the core
-  bool stopped = false;  ///< one stopped at its margin
+  bool spreads = false;  ///< a surfel outside of the core moves
+  bool stopped = false;  ///< a surfel stopped at its margin
 };
 
 /// Moves the surfels of all groups with work.
@@ -224,9 +226,9 @@ Motion exchangeMotion(Surface& s, SurfaceHalos halos, RelaxTools& r, const Motio
   return {any[0] > 0, any[1] > 0, any[2] > 0};
 }
 
-/// Damping of moves. Across the surface, most surfels stop after a few iterations. Along it, long waves of
-/// density would move them on, hence K05's damping. The rims of a splash would do so across it; their motion
-/// after easeAfter continues in the next update.
+/// Damping of moves. Normal to the surface, most surfels stop after a few iterations. Along the surface, long
+/// waves of density would keep them in motion, which K05's damping prevents. At the rims of a splash, surfels
+/// would also keep moving normal to the surface. Their motion after easeAfter continues in the next update.
 struct Damping {
   double along = 1, across = 1;
   void advance(std::int64_t iteration) {
@@ -252,7 +254,7 @@ RelaxationResult relaxSurfels(const SurfaceView& w, SurfaceHalos halos, SurfaceT
   // In an update, blendSurfels reads the motion.
   if (all) std::fill_n(f.resampleMargin.data(), f.owned, 0.0f);
   beginRelaxation(w, r.free);
-  // A surfel may move by half the margin before lists are stale. The grid's cells leave room for half a
+  // Lists are valid until a surfel has moved by half the margin. The grid's cells allow motion of half a
   // particle spacing.
   const double margin = listMargin(w.surface, w.scene.spacing);
   search(w.surface, halos, t, all, true, margin, lap);
@@ -262,8 +264,8 @@ RelaxationResult relaxSurfels(const SurfaceView& w, SurfaceHalos halos, SurfaceT
   Motion motion;
   std::int64_t nextSearch = 1;
   while (done.iterations < iterations && !done.finished) {
-    // A surfel stopped at its margin continues after the next search. Searches become less frequent, since
-    // few such surfels remain.
+    // A surfel that stopped at its margin continues after the next search. Searches become less frequent,
+    // since few such surfels remain.
     if (motion.spreads || (motion.stopped && (!motion.running || done.iterations >= nextSearch))) {
       if (done.iterations == 1)
         // Only once: forces may move surfels off the iso-surface again.

@@ -23,12 +23,12 @@ struct RelaxationResult {
   bool finished = false;  ///< all surfels are at rest
 };
 
-/// Relaxes the surfels by at most `iterations` steps of the forces, until none moves more than settings.stop
-/// of its radius. With `all` every surfel is free (initial grown surfaces), else only surfels with liquid >
-/// 0, and none without that field. Makes ghosts and lists. Surfels may be in any order and anywhere in the
-/// domain: they are placed (placeRows) and sorted at the start. At the end they are without ghosts, and have
-/// the order and ranks of the last search. Requires: particles at current positions on the ranks of their
-/// cells (placeRows), with components. Collective.
+/// Relaxes the surfels by at most `iterations` steps of the forces, until no surfel moves more than
+/// settings.stop of its radius. With `all`, every surfel is free (initial grown surfaces). Otherwise, only
+/// surfels with liquid > 0 are free, and none without that field. Makes ghosts and lists. Surfels may be in
+/// any order and anywhere in the domain, since they are placed (placeRows) and sorted at the start. At the
+/// end, they have no ghosts, and have the order and ranks of the last search. Requires: particles at current
+/// positions on the ranks of their cells (placeRows), with components. Collective.
 RelaxationResult relaxSurfels(const SurfaceView& view, SurfaceHalos halos, SurfaceTools& tools,
                               const ForceWeights& weights, std::int64_t iterations, bool all);
 

@@ -14,23 +14,24 @@ Vec3d three(const SurfelSums& s, int channel, bool particles) {
                    : Vec3d{s.surfel(channel), s.surfel(channel + 1), s.surfel(channel + 2)};
 }
 
-/// Bounds of the slope of colour minus level, over the slope of colour. Small slopes, on stretched streams,
-/// would give large moves; large ones occur at the last particles of a splash.
+/// Bounds of the slope of colour minus level, over the slope of colour. Small slopes occur on stretched
+/// streams, and would give large moves. Large slopes occur at the outermost particles of a splash.
 constexpr double flattest = 0.25, steepest = 4;
-/// Bounds of the tangent of the angle between the two slopes. Small angles come from the lattice, which
-/// affects the colour's slope less. Normals of a ball with R / dx = 16 are within 0.3 degrees, or 0.4 without
-/// the lower bound. For large angles, the difference is small and its direction meaningless.
+/// Bounds of the tangent of the angle between the two slopes. Small angles are due to the lattice, which
+/// affects the colour's slope less. With the lower bound, normals of a ball with R / dx = 16 are accurate to
+/// 0.3 degrees, without it to 0.4. For large angles, the difference of colour and level has a small slope of
+/// meaningless direction.
 constexpr double leastTilt = 0.05, steepestTilt = 1.0;
 /// Tolerance along the surface over that across it. Positions along the surface do not affect its shape, and
 /// resampling closes holes.
 constexpr double evenEnough = 5;
-/// Bounds of the share of a step. The share grows while a surfel keeps its direction, which damps long waves
-/// sooner, and halves when it overshoots. It halves until the surfel stops where the force is discontinuous,
-/// as at the edge of the sparse region of a component that is drawn in. A lower bound of 0.1 would let many
-/// surfels of a splash oscillate.
+/// Bounds of the fraction of a step by which a surfel moves. The fraction grows while the surfel keeps its
+/// direction, which damps long waves sooner, and halves when it overshoots. At a discontinuity of the force,
+/// it halves until the surfel stops. An example is the edge of the sparse region of a component that is drawn
+/// in. With a lower bound of 0.1, many surfels of a splash would oscillate.
 constexpr double mostStepShare = 1.6, leastStepShare = 0.002;
-/// Least liquid share in the stop criterion. blendSurfels keeps only the liquid share of the motion of partly
-/// solid surfels, so that a coarser criterion suffices.
+/// Smallest liquid fraction in the stop criterion. blendSurfels keeps only the liquid fraction of the
+/// motion of partly solid surfels, so a coarser criterion suffices.
 constexpr double leastKept = 0.05;
 
 struct Smooth {
@@ -43,7 +44,7 @@ struct Smooth {
 /// Smooths to the plane of the surfel and its neighbours (K05). Without a gap between the two smallest
 /// eigenvalues there is no plane (stability row 23).
 Smooth smoothToPlane(const SurfelSums& s, const Vec3d& normal) {
-  // includes the surfel itself at the origin
+  // includes the surfel itself, at the origin
   const double weight = s.surfel(Weight) + 1;
   if (!(weight > 1.001)) return {};
   // The sums hold surfel minus neighbour.
@@ -79,9 +80,9 @@ struct ColourHere {
   double colour = 0;
   double fullness = 0;   ///< smoothed colour over colour
   double flatLevel = 0;  ///< level of a flat surface of this fullness
-  double level = 0;      ///< level with the rise of the component
+  double level = 0;      ///< level including the rise of the component
   Vec3d gradient{};      ///< negative gradient over MoveContext::slope
-  double size = 0;       ///< its length
+  double size = 0;       ///< length of `gradient`
   double slope = 0;      ///< 1/m, length of the gradient of colour
 };
 
@@ -98,9 +99,9 @@ ColourHere colourAt(const MoveContext& c, const SurfelSums& s, const LevelRise& 
   return f;
 }
 
-/// Returns the negative slope of colour minus level at the surface, over that of colour. The level also
-/// varies, on streams and at rims almost as fast as the colour, so normal and distance follow from this
-/// slope.
+/// Returns the negative slope of colour minus level at the surface, over the slope of colour. The level also
+/// varies, on streams and at rims almost as fast as the colour. Normal and distance therefore follow from
+/// this slope.
 Vec3d slopeToLevel(const MoveContext& c, const SurfelSums& s, const ColourHere& f, const LevelRise& rise) {
   const Vec3d down = f.gradient / f.size;
   const double byFullness = c.isoScale * f.level / f.flatLevel * c.level->slope(f.fullness) / f.colour;
@@ -118,8 +119,8 @@ Vec3d slopeToLevel(const MoveContext& c, const SurfelSums& s, const ColourHere& 
   return steep * down + trusted * off;
 }
 
-/// Returns the force toward the depth of the mean particle at any surface. It acts only beyond that depth, so
-/// that the iso-surface is an equilibrium.
+/// Returns the force toward the depth that the particles' mean has at a surface. It acts only beyond that
+/// depth, so the iso-surface is an equilibrium.
 Vec3d attraction(const MoveContext& c, const SurfelSums& s, const ColourHere& f) {
   const Vec3d away = (c.unit / f.colour) * three(s, Attraction, true);
   const double depth = length(away);
@@ -207,8 +208,9 @@ NormalForce normalForceOn(const SurfaceView& w, const MoveContext& c, const Surf
 
 namespace {
 
-/// Returns the move along the surface, at most a quarter of the radius: towards the point where static
-/// neighbours would not repel the surfel. It is slightly more than half the way, since they move as well.
+/// Returns the move (m) along the surface, at most a quarter of the radius. It is towards the point where
+/// static neighbours would not repel the surfel. It is slightly more than half the way, since neighbours move
+/// as well.
 Vec3d tangentialMove(const SurfaceView& w, const MoveContext& c, const SurfelSums& s, const Vec3d& normal,
                      std::size_t i) {
   const Surfels& f = w.surface.surfels;
@@ -230,21 +232,22 @@ Vec3d tangentialMove(const SurfaceView& w, const MoveContext& c, const SurfelSum
   return move;
 }
 
-/// Returns the share of the step in which a surfel moves. It damps oscillations: the share halves each time
-/// that the force changes sign. last: the previous share, with the sign of its move; 0 for none.
+/// Returns the fraction of the step by which a surfel moves. It damps oscillations, because it halves each
+/// time the force changes sign. last: previous fraction, with the sign of its move; 0: none.
 double stepShareOf(double wanted, double last) {
   return last == 0           ? 1
          : wanted * last < 0 ? std::max(0.5 * std::abs(last), leastStepShare)
                              : std::min(1.25 * std::abs(last), mostStepShare);
 }
 
-/// Returns the position after a move, outside of walls. facing: outward normal; normal: of the surfel.
+/// Returns the position (m) after a move, outside of walls. facing: outward normal. normal: normal of the
+/// surfel.
 Vec3d movedAlongWalls(const SurfaceView& w, const Vec3d& target, const Vec3d& normalMove, const Vec3d& normal,
                       const Vec3d& facing) {
   Vec3d x = projectedOutOfWalls(w, target, facing);
   const Vec3d back = x - target;
   if (const double pushed = length(back); pushed > 0) {
-    // A wall carries the normal force of a surfel on it. A component along the wall, at small angles, would
+    // A wall balances the normal force of a surfel on it. At small angles, a component along the wall would
     // let the surfel creep.
     const Vec3d n = back / pushed, creep = normalMove - dot(normalMove, n) * n;
     const double onto = std::clamp(-2 * dot(normal, n) - 0.8, 0.0, 1.0);
@@ -261,8 +264,8 @@ void turnSurfel(Surfels& f, std::size_t i, const Vec3d& normal) {
   f.tangent[i] = normalized(tangent);
 }
 
-/// Returns whether a surfel still moves: `gone` (m), the move before the margin stops it, exceeds the stop
-/// criterion.
+/// Returns whether a surfel still moves: its move `gone` (m), before the limit by the margin, exceeds the
+/// stop criterion.
 bool stillMoves(const SurfaceView& w, std::size_t i, const Vec3d& gone, const Vec3d& normal) {
   const Surfels& f = w.surface.surfels;
   const double kept = f.liquid.active && !(f.relaxesOnce.active && f.relaxesOnce[i])

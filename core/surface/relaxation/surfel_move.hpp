@@ -13,7 +13,7 @@ struct MoveCounts {
   std::int64_t flipped = 0, keptNormals = 0;
 };
 
-/// Surfels::moving of a surfel that stopped at the margin of its lists.
+/// Value of Surfels::moving for a surfel that stopped at the margin of its lists.
 inline constexpr std::uint8_t stoppedAtMargin = 2;
 
 /// Parameters common to all surfels.
@@ -27,9 +27,9 @@ struct MoveContext {
   double isoScale;    ///< isoLevel / 0.5
   double leastScale;  ///< leastLevel / 0.5
   double longest;     ///< m, longest move
-  double step;        ///< move over force, across the surface
-  double spread = 1;  ///< factor of moves along the surface
-  double ease = 1;    ///< factor of moves across the surface
+  double step;        ///< 1, move over force, normal to the surface
+  double spread = 1;  ///< 1, factor of moves along the surface
+  double ease = 1;    ///< 1, factor of moves normal to the surface
   double stray = 0;   ///< m, largest distance from the position at the last search
   const Vec3d* found = nullptr;
   bool plane;
@@ -37,11 +37,11 @@ struct MoveContext {
 MoveContext moveContext(const Scene& scene, const Surface& surface, const RelaxTools& tools,
                         const ForceWeights& weights);
 
-/// Forces on a surfel across the surface.
+/// Forces on a surfel normal to the surface.
 struct NormalForce {
   Vec3d normal{}, outward{};  ///< new normal; normal of the iso-surface, where known
   double along = 0;           ///< m, force along the new normal
-  double least = 0;           ///< m, least move into the body
+  double least = 0;           ///< m, smallest move into the body
   bool known = false, flipped = false, keptNormal = false;
 };
 NormalForce normalForceOn(const SurfaceView& view, const MoveContext& context, const SurfelSums& sums,

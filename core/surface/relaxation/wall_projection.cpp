@@ -6,15 +6,16 @@
 namespace thaw {
 namespace {
 
-/// Where walls meet, a projection out of one may lead into another.
+/// Maximum number of projections. Where walls meet, a projection out of one wall may lead into another.
 constexpr int mostPushes = 8;
-/// Thickness limit in particle spacings below which surfels may have passed through a wall, and the search
+/// Wall thickness, in particle spacings, below which surfels may have passed through a wall. Also the search
 /// radius for their particles.
 constexpr double thin = 1.5;
-/// Distance to a wall in spacings of surfels within which a surfel that faces it lies on it.
+/// Distance, in spacings of surfels, within which a surfel that faces a wall lies on the wall.
 constexpr double onWallDistance = 0.02;
 
-/// Distance for surfels that rest on a wall, and the cosine of the largest angle between normal and wall.
+/// The same for surfels that rest on a wall, and cosine of their largest angle between normal and direction
+/// into the wall.
 constexpr double restingDistance = 0.1, restingCosine = 0.7;
 
 /// Projects x out of one wall. Returns whether it was inside.
@@ -28,7 +29,7 @@ bool outOf(const SurfaceView& w, const Wall& wall, const Vec3d& outward, Vec3d& 
     x -= d * n;
     return true;
   }
-  // backwards into the body until it leaves the wall
+  // moves back into the body until the position leaves the wall
   Vec3d back = x;
   double inside = d, gone = 0;
   for (const double longest = 2 * w.scene.spacing; inside < 0 && gone < longest;) {
@@ -69,7 +70,7 @@ class ThinWalls {
       if (!wall.present || !nearBounds(wall.bounds, rest, reach_)) continue;
       Vec3d n;
       const double d = wall.shape->distanceWithin(rest, reach_, &n);
-      // The wall is thick here: nothing passes through.
+      // The wall is thick here, so no surfel passes through.
       if (!(d < reach_) || !(wall.shape->distanceWithin(rest - (d + reach_) * n, reach_, nullptr) >= 0))
         continue;
       if (!looked && !nearest(i, at, particle)) return at;
@@ -99,8 +100,8 @@ class ThinWalls {
   double reach_;
 };
 
-/// Returns whether the normal faces a wall within `near` (m), by more than this cosine. `into`: direction
-/// into the wall.
+/// Returns whether the normal faces a wall within `near` (m): the cosine of its angle to `into`, the
+/// direction into the wall, exceeds `cosine`.
 bool facesWallWithin(const SurfaceView& w, const Vec3d& x, const Vec3d& normal, double near, double cosine,
                      Vec3d& into) {
   for (const Wall& wall : w.walls.list) {

@@ -27,7 +27,8 @@ bool ofMesh(const Scene& scene, const Surface& surface, const SurfelRow& r) {
   return hasMesh(scene, surface.particles.body[r.particle]);
 }
 
-/// Least and largest colour among surfels and inheriting rows. If they are equal, all births get that colour.
+/// Smallest and largest colour among surfels and inheriting rows. If the two are equal, all births get that
+/// colour.
 struct ColourRange {
   std::uint32_t least = std::numeric_limits<std::uint32_t>::max(), most = 0;
   void add(std::uint32_t c) { least = std::min(least, c), most = std::max(most, c); }

@@ -17,12 +17,12 @@ struct SurfaceTools;
 /// materials differ in colour.
 bool coloursMayDiffer(const Scene& scene);
 
-/// Colours new surfels around particles (SurfelRow::particle). The mean colour of the component's surfels
-/// within two spacings avoids single surfels of another colour where liquids mix. Without surfels there,
-/// bodies without a mesh keep their material's colour. Bodies with a mesh take the colour of the nearest
-/// surfel of the component within a cell's edge of the particle. Of equally near ones the smaller id counts.
-/// If the component has none there, as for a drop that has just separated, the nearest surfel of any
-/// component counts. Requires: bins of the surfels with ghosts.
+/// Colours new surfels around particles (SurfelRow::particle). A new surfel gets the mean colour of the
+/// component's surfels within two spacings, which avoids single surfels of another colour where liquids mix.
+/// Without surfels there, bodies without a mesh keep their material's colour. Bodies with a mesh get the
+/// colour of the nearest surfel of the component within a cell's edge of the particle. Of equally near
+/// surfels, the one with the smaller id counts. If the component has no surfel there, as for a drop that has
+/// just separated, the nearest surfel of any component counts. Requires: bins of the surfels with ghosts.
 void inheritColours(const Scene& scene, const Surface& surface, const Bins& bins,
                     std::vector<SurfelRow>& rows);
 

@@ -14,7 +14,7 @@ namespace thaw {
 
 namespace {
 
-/// Surfel with a reference position, relative to a new surfel beside it.
+/// Surfel with a reference position (m), relative to a new surfel next to it.
 struct Follower {
   std::size_t row;
   Vec3d d;
@@ -23,11 +23,12 @@ struct Follower {
 
 /// Returns the reference position of a new surfel. An affine map in the tangent plane is fitted by weighted
 /// least squares from current to reference positions of the followers. `frame` holds normal and tangents in
-/// rows. The distance across the plane is kept. Neglected strain would displace the new surfel by strain
-/// times distance when it moves with the reference. Returns nothing if the followers lie in a line.
+/// rows. The distance normal to the plane is kept. If strain were neglected, the new surfel would be
+/// displaced by strain times distance when it moves with the reference. Returns nothing if the followers are
+/// collinear.
 std::optional<Vec3d> placeAtStart(const Surfels& s, const std::vector<Follower>& followers,
                                   const Mat3d& frame, const Vec3d& referenceNormal) {
-  // least determinant over the square of the larger moment: smaller means a line
+  // smallest determinant over the square of the larger moment; below it, followers are collinear
   constexpr double line = 0.02;
   double sum = 0, a = 0, b = 0, c = 0;
   Vec3d mean{}, now{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// New surfels beside existing ones.
+// New surfels next to existing ones.
 #pragma once
 #include <vector>
 
@@ -14,7 +14,8 @@ struct SurfelRow {
   Vec3d position{}, normal{0, 0, 1}, tangent{1, 0, 0};  ///< m, unit, unit
   double radius = 0;                                    ///< m
   std::uint32_t colour = 0;
-  float detail = 0, liquid = 0, temperature = 0, maxLiquidFraction = 0, detailHeight = 0;
+  float detail = 0, liquid = 0, temperature = 0, maxLiquidFraction = 0, detailHeight = 0;  ///< units as in
+                                                                                           ///< Surfels
   bool hasReference = false;  ///< has a reference position and frame (reference_motion.hpp)
   Vec3d referencePosition{}, referenceNormal{}, referenceTangent{};  ///< m, unit, unit
   static constexpr std::uint32_t none = 0xffffffffu;

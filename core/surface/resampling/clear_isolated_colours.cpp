@@ -13,9 +13,9 @@
 namespace thaw {
 namespace {
 
-// spacings; holds about fifteen surfels
+// spacings; contains about fifteen surfels
 constexpr double around = 2.2;
-// least dot product of normals on the same side
+// smallest dot product of normals on the same side
 constexpr double sameSide = 0.3;
 // difference of 255 in one colour channel
 constexpr int unlike = 24;
@@ -28,7 +28,7 @@ bool differ(std::uint32_t a, std::uint32_t b) {
   return false;
 }
 
-/// Returns whether there are two colours on any rank.
+/// Returns whether at least two colours exist over all ranks.
 bool several(const Surfels& f, Reducer& all) {
   double range[2] = {-1, -16777216};  // largest and minus smallest colour
   for (std::size_t i = 0; i < f.owned; i++) {

@@ -22,14 +22,14 @@ namespace {
 // LocalMaximum: precedes all surfels that are too close to it
 enum ResampleFlag : std::uint8_t { Birth = 1, Crowded = 2, LocalMaximum = 4, Changed = 8 };
 
-/// Returns whether a surfel beside melt still carries its full mesh detail.
+/// Returns whether a surfel next to melt still has its full mesh detail.
 bool carriesDetail(const Surfels& s, std::size_t i) {
   return s.maxLiquidFraction.active && s.detail[i] > 0.9f && s.liquid[i] < 0.05f;
 }
 
 // rad, 206 degrees
 constexpr double border = 3.6;
-/// Value of Surfels::resampleMargin, within a call, after a refused birth at a rim. Changes nearby reset it.
+/// Value of Surfels::resampleMargin within a call, after a refused birth at a rim. Changes nearby reset it.
 constexpr float refused = -1;
 struct Round {
   Surfels* table;
@@ -41,7 +41,7 @@ struct Round {
   const Bins& bins;
   double particleSpacing;  ///< m
   bool adapts;             ///< the first round with adaptive density
-  std::int64_t surfels;    ///< number on all ranks before the first round; 0 in it
+  std::int64_t surfels;    ///< number on all ranks before the first round; 0 in the first round
   std::vector<std::uint64_t> birthOrder{}, deathOrder{};  ///< for all rows, ghosts included
   std::vector<float> closest{};                           ///< for owned rows
   /// by row, ghosts included: true if inspected in this round
@@ -133,7 +133,7 @@ struct Round {
     });
   }
 
-  /// Returns whether a neighbour is farther from the centre than in the reference, or has none. Otherwise an
+  /// Returns whether a neighbour is farther from the centre than in the reference, or has none. If not, an
   /// apparent hole is the crease of a closing groove, whose faces do not interact.
   bool stretched(const Patch& patch) const {
     constexpr double least = 1.15;
@@ -148,9 +148,9 @@ struct Round {
     return false;
   }
 
-  /// Returns true if a surfel on its side is so near that one of the two would die. Also returns true if a
-  /// sheet of the same orientation lies directly above or below. There is room for neither particles nor a
-  /// gap between two such sheets, and a second skin would grow.
+  /// Returns true if a surfel on the same side is so near that one of the two would die. Also returns true if
+  /// a sheet of the same orientation lies directly above or below. Neither particles nor a gap fit between
+  /// two such sheets, and a second skin would grow.
   bool taken(std::size_t i, const SurfacePoint& p) const {
     constexpr double sameWay = 0.5, beside = 0.4;
     const Surfels& s = *table;
@@ -167,10 +167,9 @@ struct Round {
     return false;
   }
 
-  /// Returns whether a sheet of the same orientation lies above or below, within a particle's thickness.
-  /// Beyond a rim, the body's colour bridges grooves, above their own sheet. Between surfels of solids, a
-  /// second sheet would continue to grow around the first. Sheets bent by less than 45 degrees are not
-  /// reported.
+  /// Returns whether a sheet of the same orientation lies above or below, within a particle spacing. Beyond a
+  /// rim, the body's colour bridges grooves, above the groove's own sheet. Between surfels of solids, a
+  /// second sheet would continue to grow around the first. Sheets bent by less than 45 degrees do not count.
   bool hasParallelSheet(std::size_t i, const SurfacePoint& p, bool beyond) const {
     const double sameWay = beyond ? 0.3 : 0.7;
     constexpr double beside = 0.8;
@@ -233,8 +232,8 @@ struct Round {
   }
 };
 
-/// Returns a salt for each round of each call in a step, so that repeated births of a surfel have different
-/// ids. Calls in one step differ by the number of earlier births, or had none.
+/// Returns a salt for each round of each call in a step, so repeated births of a surfel have different ids.
+/// Calls in one step differ by the number of earlier births, unless no births occurred.
 std::uint64_t saltOf(const SurfaceView& w, const Resampled& done, std::int64_t round) {
   const std::int64_t births = w.surface.counters.births + done.births;
   return randomBits(w.scene.seed, Purpose::SurfelSample, static_cast<std::uint64_t>(w.clock.step),
@@ -332,8 +331,8 @@ RoundChanges selectChanges(const Round& r, Reducer& all) {
   return c;
 }
 
-/// Limits births to a fraction, selected by hash, and reduces it further if still too many. Returns whether
-/// there were more than `most`. Collective.
+/// Limits births to a fraction, selected by hash, and reduces the fraction further if births are still too
+/// many. Returns whether there were more than `most`. Collective.
 bool limitBirths(const Round& r, std::int64_t most, RoundChanges& c, Reducer& all) {
   bool limited = false;
   for (double fraction = 1; c.births > most;) {
@@ -348,7 +347,7 @@ bool limitBirths(const Round& r, std::int64_t most, RoundChanges& c, Reducer& al
   return limited;
 }
 
-/// Marks surfels around births and deaths for inspection: deaths may uncover places, and births change the
+/// Marks surfels around births and deaths for inspection. Deaths may uncover surface, and births change the
 /// patches of their neighbours. Collective.
 void inspectAround(const RoundChanges& c, double spacing, SurfaceHalos halos, Round& r) {
   Surfels& s = *r.table;

@@ -38,7 +38,7 @@ bool covered(const Patch& patch, const SurfacePoint& p, double distance) {
 }
 
 /// Returns 1 for directions whose point (pointAround) no surfel of the patch covers, else 0. Lengths are in
-/// units of `distance`. All directions are tested at once, since most surfels have no open one.
+/// units of `distance`. All directions are tested at once, since most surfels have no open direction.
 std::array<float, directions> openDirections(Patch& patch, double distance, const Circle& circle) {
   const Surfels& s = *patch.surfels;
   const Vec3d centre = s.position[patch.centre], n = s.normal[patch.centre], u = s.tangent[patch.centre],
@@ -64,7 +64,7 @@ std::array<float, directions> openDirections(Patch& patch, double distance, cons
 }
 
 /// Returns whether p lies beyond a sharp edge, off the solid. At a convex edge, the solid lies behind the
-/// neighbouring face; at a concave one in front of it.
+/// neighbouring face. At a concave edge, it lies in front of that face.
 bool pastEdge(const Patch& patch, const SurfacePoint& p, double distance) {
   const Surfels& s = *patch.surfels;
   const Vec3d centre = s.position[patch.centre], normal = s.normal[patch.centre];
@@ -158,7 +158,7 @@ std::optional<SurfacePoint> uncoveredPoint(Patch& patch, double distance) {
   if (count == 0) return {};
   std::size_t longest = 0, middle = 0;
   for (std::size_t k = 0; k < directions && count < directions; k++) {
-    // not the beginning of an arc
+    // skipped: not the beginning of an arc
     if (!empty[k] || empty[(k + directions - 1) % directions]) continue;
     std::size_t length = 1;
     while (empty[(k + length) % directions]) length++;

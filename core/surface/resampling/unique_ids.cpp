@@ -38,7 +38,7 @@ std::vector<std::uint64_t> takenIds(const Surfels& s, std::size_t first, Reducer
     std::fill(seen.begin(), seen.end(), 0);
     for (const Born& b : born) seen[b.id % seen.size()] = 1;
     const auto among = [&](std::uint64_t id, std::size_t own) {
-      // quick rejection of nearly all ids
+      // rejects nearly all ids quickly
       if (!seen[id % seen.size()]) return false;
       auto at = std::lower_bound(born.begin(), born.end(), Born{id, 0});
       if (at != born.end() && at->id == id && at->number == own) ++at;

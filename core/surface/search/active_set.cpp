@@ -31,7 +31,7 @@ void extractActiveSet(Surface& s, const Bins& bins, const std::vector<std::uint8
   Surfels& f = s.surfels;
   constexpr double far = std::numeric_limits<double>::infinity();
   std::vector<double> depth2(f.size(), far);
-  // Surfels this near to a tested one are not tested.
+  // Surfels this close to a tested surfel are not tested.
   const double beside2 = 2.25 * s.spacing * s.spacing;
   for (std::size_t i = 0; i < f.size(); i++)
     if (open[i] && depth2[i] > beside2)

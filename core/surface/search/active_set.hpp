@@ -14,11 +14,11 @@ namespace thaw {
 /// open ones, on the ranks that own them. Neighbourhoods are complete within `radius` less the reach of an
 /// inspection.
 struct ActiveSet {
-  std::int64_t few = 12;  ///< used if less than one surfel in so many is open; 0: never
+  std::int64_t few = 12;  ///< the set is used if less than one surfel in this many is open; 0: never
   bool taken = false;
   Surfels surfels;
   CellTable cells;
-  std::vector<std::uint32_t> rows;  ///< rows of Surface::surfels in the set, stale while it is in use
+  std::vector<std::uint32_t> rows;  ///< rows of Surface::surfels in the set, outdated while the set is in use
   double deepest = 0;               ///< m, Surfels::depth up to which surfels may be inspected
 };
 

@@ -60,7 +60,7 @@ void sortIntoBins(const Vec3d* position, Bins& b) {
   for (const auto& entry : b.sorting)
     for (int a = 0; a < 3; a++)
       low[a] = std::min(low[a], part(entry.first, a)), high[a] = std::max(high[a], part(entry.first, a));
-  // number of bits of the bin numbers, counted from the lowest one
+  // number of bits of the bin numbers, relative to the lowest bin
   std::array<int, 3> bits{};
   for (std::size_t a = 0; a < 3; a++) bits[a] = std::bit_width(high[a] - low[a]);
   if (b.sorting.size() > 64) {

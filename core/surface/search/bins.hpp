@@ -19,7 +19,7 @@ void sortByKey(SortedRows& rows, SortedRows& other, int bits);
 
 /// Rows (ghosts included) sorted by bin, and within a bin by (cell, id) as in the grid. The order depends on
 /// positions only. Sums over rows in this order therefore have the same bits on any number of ranks. Only
-/// occupied bins, and lines of bins along x, are listed, so that empty space costs nothing.
+/// occupied bins, and occupied lines of bins along x, are listed, so empty space has no cost.
 struct Bins {
   Vec3d base{};                         ///< m, low corner of bin (0, 0, 0)
   double perLength = 1;                 ///< 1/m
@@ -28,7 +28,7 @@ struct Bins {
   std::vector<std::uint64_t> line;      ///< keys of occupied lines: bin keys without x
   std::vector<std::uint32_t> firstBin;  ///< bins of line l: firstBin[l] ... firstBin[l + 1] - 1
   std::vector<std::uint32_t> row;
-  std::vector<Vec3d> at;       ///< m, positions of these rows when the bins were filled
+  std::vector<Vec3d> at;       ///< m, positions of the rows when the bins were filled
   std::vector<float> x, y, z;  ///< m, positions relative to the base, rounded, for RowBlock; nearBoxMore
                                ///< longer
   SortedRows sorting, sorted;
@@ -46,11 +46,11 @@ inline std::uint64_t binOf(const Bins& b, double x, int axis) {
 /// Fills bins with an edge of about `edge` (m) with all rows listed in `cells`.
 void fillBins(const CellGrid& grid, const CellTable& cells, const Vec3d* position, double edge, Bins& bins);
 
-/// Fills bins with n positions; rows of a bin ascend. For searches whose result does not depend on the
-/// order of rows (nearest row, connected rows), or that sort their result.
+/// Fills bins with n positions (m); rows of a bin ascend. Use it for searches whose result does not depend on
+/// the order of rows (nearest row, connected rows), or is sorted.
 void fillBins(const Vec3d* position, std::size_t n, double edge, Bins& bins);
 
-/// Copies the bins with only the rows for which keep[row] is set, in the same order.
+/// Copies the bins, with only the rows for which keep[row] is set, in the same order.
 void pickRows(const Bins& bins, const std::uint8_t* keep, Bins& picked);
 
 /// Calls found(from, to) for runs of occupied bins [from, to) that a box may intersect, in the order of the
@@ -123,7 +123,7 @@ void forRowsAround(const Bins& b, const Vec3d& low, const Vec3d& high, double ra
   });
 }
 
-/// Bounding box of positions.
+/// Bounding box (m) of positions.
 struct PlaceBox {
   Vec3d low, high;
   void add(const Vec3d& x) {

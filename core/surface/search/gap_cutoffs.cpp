@@ -10,7 +10,7 @@ namespace thaw {
 
 namespace {
 
-/// Bounds of positions and normals of a bin's surfels.
+/// Bounds of positions (m) and normals of a bin's surfels.
 struct BinFrame {
   PlaceBox place, normal;
   double largest = 0;  // radius, m
@@ -27,14 +27,14 @@ std::vector<BinFrame> framesOf(const Surfels& f, const Bins& bins) {
   return frames;
 }
 
-/// Returns the least, and below the largest, of n.m for m in a box.
+/// Returns the minimum of n . m for m in a box.
 double leastDot(const Vec3d& n, const PlaceBox& m) {
   return std::min(n.x * m.low.x, n.x * m.high.x) + std::min(n.y * m.low.y, n.y * m.high.y) +
          std::min(n.z * m.low.z, n.z * m.high.z);
 }
 double mostDot(const Vec3d& n, const PlaceBox& m) { return -leastDot(-n, m); }
 
-/// Returns the least of n.m for n and m each in a box.
+/// Returns the minimum of n . m for n and m, each in a box.
 double leastDot(const PlaceBox& n, const PlaceBox& m) {
   double sum = 0;
   for (int a = 0; a < 3; a++)
@@ -42,7 +42,7 @@ double leastDot(const PlaceBox& n, const PlaceBox& m) {
   return sum;
 }
 
-/// Returns the largest of n.d for n and d each in a box.
+/// Returns the maximum of n . d for n and d, each in a box.
 double mostDot(const PlaceBox& n, const PlaceBox& d) {
   double sum = 0;
   for (int a = 0; a < 3; a++)
@@ -74,7 +74,7 @@ void findGapCutoffs(Surface& s, const std::vector<std::uint8_t>& free, const Bin
     const BinFrame& own = frames[b];
     facingBins.clear();
     forBinsAround(bins, own.place.low, own.place.high, reach, [&](std::size_t other) {
-      // Surfels behind the whole bin are across a sheet.
+      // Surfels behind the whole bin are across a sheet, not across a gap.
       const BinFrame& o = frames[other];
       if (leastDot(own.normal, o.normal) < twoSheets + rounding &&
           mostDot(own.normal, {o.place.low - own.place.high, o.place.high - own.place.low}) > 0)

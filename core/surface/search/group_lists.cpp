@@ -8,7 +8,7 @@
 namespace thaw {
 namespace {
 
-// Spreads 21 bits with two zeros between them.
+// Spreads 21 bits, with two zero bits between adjacent ones.
 std::uint64_t spread(std::uint64_t v) {
   v = (v | v << 32) & 0x1f00000000ffffull;
   v = (v | v << 16) & 0x1f0000ff0000ffull;

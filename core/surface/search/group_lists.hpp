@@ -9,12 +9,12 @@
 
 namespace thaw {
 
-/// Neighbour lists of groups of surfels. A list is in the order of bins. It has the surfels and particles of
-/// the component within the radius plus a margin of any surfel of the group, itself included. Lists serve
-/// many iterations until a surfel has moved by half the margin. They are exact, unlike K05's neighbours of
-/// neighbours, and an iteration only reads them (benchmarks/surface).
+/// Neighbour lists of groups of surfels. A list is in the order of bins. It contains the surfels and
+/// particles of the component within the radius plus a margin of any surfel of the group, including that
+/// surfel. Lists are valid for many iterations, until a surfel has moved by half the margin. They are exact,
+/// unlike K05's neighbours of neighbours, and an iteration only reads them (benchmarks/surface).
 struct GroupLists {
-  std::vector<std::uint32_t> self;  ///< 8 rows a group; short groups repeat their first row
+  std::vector<std::uint32_t> self;  ///< 8 rows per group; short groups repeat their first row
   std::vector<std::uint8_t> lanes;  ///< number of rows of each group
   std::vector<std::uint64_t> firstSurfel, firstParticle;  ///< start of each group's list, and the end of the
                                                           ///< last

@@ -43,7 +43,7 @@ SurfaceSide sideOf(const Surfels& f, const InsideTools::Candidate* begin, const 
   }
   side.liquid /= side.discsUsed;
   side.normal = normalized(side.normal);
-  // A disc seen only edge-on is the rim of an opening.
+  // A disc that is only seen edge-on is the rim of an opening.
   side.distance = sum < 0 && straight > 0.5 ? -begin->distance : begin->distance;
   return side;
 }
@@ -71,8 +71,8 @@ void findSides(const Surfels& f, const Bins& bins, const SideQuery& query, Insid
     t.seen.push_back({j, group, d2});
   });
   if (t.seen.empty()) return;
-  // sideOf uses discs at most a radius farther than the nearest disc, which is at most as far as the nearest
-  // centre. A disc extends by discShare of its radius.
+  // sideOf uses discs at most one radius farther than the nearest disc. The nearest disc is not farther than
+  // the nearest centre. A disc extends by discShare of its radius.
   for (InsideTools::Group& g : t.groups) {
     const double far = (1 + 1e-9) * (std::sqrt(g.d2) + (1 + discShare) * largest);
     g.d2 = far * far;

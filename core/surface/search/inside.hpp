@@ -13,13 +13,13 @@ namespace thaw {
 struct SurfaceSide {
   std::uint64_t component = noComponent;
   double distance = 0;  ///< m, to the nearest disc; negative inside
-  Vec3d normal{};       ///< out of the component, at the nearest surface
+  Vec3d normal{};       ///< outward unit normal of the component, at the nearest surface
   double liquid = 0;    ///< mean liquid fraction of the surfels used
   int discsUsed = 0;
   std::uint32_t nearest = 0;  ///< row of the nearest surfel
 };
 
-/// Least number of surfels for a valid inside-outside test.
+/// Smallest number of surfels for a valid inside-outside test.
 inline constexpr int leastDiscs = 3;
 
 /// Buffers, kept between calls.
@@ -52,12 +52,13 @@ struct SideQuery {
   double reach;
 };
 
-/// Finds the sides of components near a position, ascending by label. `bins` hold the surfels, ghosts
-/// included. Each surfel counts as a disc of half its radius, so that neighbours touch but do not extend
-/// beyond edges. Discs at most one radius farther than the nearest one count, at most 12. The sign is that of
-/// the sum of (x - c).n / |x - c|^2 with the closest point c of each disc. It is right at edges and on both
-/// sides of a thin sheet (Inside.IsExactForACubeAndAThinSheet). Inside also requires a view on the back of a
-/// disc at more than 30 degrees, which excludes the open end of a parted neck.
+/// Finds the sides of components within `reach` (m) of x, ascending by label. With `others`, these are all
+/// components except `label`, else only `label`. bins: surfels, including ghosts. Each surfel counts as a
+/// disc of half its radius, so neighbours touch but do not extend beyond edges. Up to 12 discs at most one
+/// radius farther than the nearest disc count. The sign is that of the sum of (x - c) . n / |x - c|^2, with
+/// the closest point c of each disc. It is correct at edges and on both sides of a thin sheet
+/// (Inside.IsExactForACubeAndAThinSheet). Inside, x must also see the back of a disc at more than 30 degrees,
+/// which excludes the open end of a parted neck.
 void findSides(const Surfels& surfels, const Bins& bins, const SideQuery& query, InsideTools& tools,
                std::vector<SurfaceSide>& sides);
 

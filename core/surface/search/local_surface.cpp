@@ -36,8 +36,8 @@ void Patch::fitCurvature() {
     right += weight * Vec3d{p * a, p * b + q * a, q * b};
   }
   const Mat3d m{{{aa, ab, 0}, {ab, aa + bb, ab}, {0, ab, bb}}};
-  // Each weighted term is at most 1. A determinant far below that of evenly distributed neighbours indicates
-  // a direction without neighbours.
+  // Each weighted term is at most 1. A determinant far below the value for evenly distributed neighbours
+  // indicates a direction without neighbours.
   const double n = static_cast<double>(rows.size()), det = determinant(m);
   if (!(det > 1e-3 * n * n * n / 27)) return;
   const Vec3d c = inverse(m) * right;

@@ -10,7 +10,7 @@
 
 namespace thaw {
 
-/// Least dot product of normals on one side of a sheet: sharp edges of up to 107 degrees.
+/// Smallest dot product of normals on one side of a sheet, which allows sharp edges of up to 107 degrees.
 inline constexpr double oneSide = -0.3;
 
 /// A surfel and the surfels of its component on its side within `reach`, in row order.
@@ -32,16 +32,16 @@ struct Patch {
 
 /// Point on a patch's surface.
 struct SurfacePoint {
-  Vec3d position{}, normal{};
+  Vec3d position{}, normal{};  ///< m, unit
 };
 
 /// Returns the point of the patch at chord length `distance` (m) from its centre in the direction cosine *
 /// tangent + sine * (normal x tangent).
 SurfacePoint pointAround(const Patch& patch, double distance, double cosine, double sine);
 
-/// Projects n <= 8 points onto the surface between the patch's surfels, centre included: where the weighted
-/// mean of (n_j + n) . (x - x_j) vanishes. Weights end at `reach`. Exact on planes and spheres
-/// (co-circularity, ST92).
+/// Projects n <= 8 points onto the surface between the patch's surfels, including its centre. There, the
+/// weighted mean of (n_j + n) . (x - x_j) vanishes. Weights vanish at `reach` (m). The projection is exact on
+/// planes and spheres (co-circularity, ST92).
 void projectToPatch(Patch& patch, SurfacePoint* points, std::size_t n, double reach);
 
 }  // namespace thaw

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bins near several labels, to restrict searches for neighbours with other labels.
+// Finds bins near several labels, to restrict searches for neighbours with other labels.
 #pragma once
 #include <cstdint>
 #include <vector>

@@ -13,7 +13,7 @@ namespace thaw {
 /// Surfels around a particle, relative to it (m), as separate arrays for vector instructions.
 class DiscCover {
  public:
-  /// `spacing` (m) of the particles. Discs more than `reach` spacings above or below a position do not cover
+  /// spacing: m, of the particles. Discs more than `reach` spacings above or below a position do not cover
   /// it.
   DiscCover(double spacing, double reach)
       : most_(static_cast<float>(reach * spacing)), half_(static_cast<float>(0.5 * spacing)) {}
@@ -54,7 +54,7 @@ class DiscCover {
 
   float most_, half_;
   std::size_t size_ = 0;
-  // Padding behind the last disc covers nothing.
+  // Padding after the last disc covers nothing.
   bool closed_ = false;
   std::vector<float> x_, y_, z_, nx_, ny_, nz_, r2_;
 };

@@ -29,16 +29,17 @@
 namespace thaw {
 namespace {
 
-// Largest deviation of the colour from its level, equivalent to more than a particle spacing.
+// Largest deviation of the colour from its level. It corresponds to more than one particle spacing.
 constexpr double offSurface = 0.3;
 
-// Least colour over its level for births on meshes, equivalent to a particle spacing above the surface.
+// Smallest colour over its level for births on meshes. It corresponds to one particle spacing above the
+// surface.
 constexpr double leastOverDetail = 0.3;
 
-// Least colour over its level for grown surfels. On drops the level itself is below offSurface.
+// Smallest colour over its level for grown surfels. On drops, the level itself is below offSurface.
 constexpr double leastOver = 0.25;
 
-/// Returns whether a surfel belongs to a solid mesh. Its detail is finer than particles can resolve.
+/// Returns whether a surfel belongs to a solid mesh, with detail finer than particles can resolve.
 bool keepsDetail(const Surfels& f, std::size_t i) {
   return f.detail[i] > 0.5f && (!f.liquid.active || f.liquid[i] < 0.5f);
 }
@@ -69,8 +70,8 @@ void seedAll(const SurfaceView& w, const SurfaceTools& t, const std::function<bo
       seedAround(w, probe, i, seeds, rows);
 }
 
-/// Appends the spherical surface of the small drop labelled by particle i. Its other particles are within
-/// reach.
+/// Appends the spherical surface of the small drop labelled by particle i. The drop's other particles are
+/// within reach.
 void sphereAround(const SurfaceView& w, const SurfaceTools& t, std::size_t i, std::vector<SurfelRow>& rows) {
   const SurfaceParticles& p = w.surface.particles;
   const double far = 4.5 * w.scene.spacing;
@@ -90,16 +91,16 @@ void sphereAround(const SurfaceView& w, const SurfaceTools& t, std::size_t i, st
     r.liquid = static_cast<float>(liquid / volume);
     r.colour = surfaceColour(w.scene, p.body[i]);
     r.particle = static_cast<std::uint32_t>(i);
-    // Surfels of a drop that merges pass to the larger body. A later drop may have the same label, so the
-    // step makes ids unique.
+    // Surfels of a merging drop go to the larger body. A later drop may have the same label, so the step
+    // number makes ids unique.
     r.id = surfelBit | birthBit |
            randomBits(w.scene.seed, Purpose::SurfelBirth, r.id, static_cast<std::uint64_t>(w.clock.step));
     rows.push_back(r);
   }
 }
 
-/// Returns whether the surface continues at p on a wall, and projects p onto it. There, the level of the
-/// colour lies inside the wall, so the surface continues wherever the body lies above the wall.
+/// Returns whether the surface continues at p on a wall, and projects p onto the wall. There, the iso-surface
+/// lies inside the wall, so the surface continues wherever the body lies above the wall.
 bool continuesAtWall(const SurfaceView& w, FieldProbe& probe, const Surfels& f, std::size_t i,
                      SurfacePoint& p) {
   if (!f.wallOffset.active || liquidShare(f, i) < 0.5) return false;
@@ -115,7 +116,7 @@ bool continuesAtWall(const SurfaceView& w, FieldProbe& probe, const Surfels& f, 
 }
 
 /// Returns whether a surfel at p would float in front of its component's own surface. A sheet behind p then
-/// faces it without a particle between: above an edge, or where the colour bridges a groove. Births there
+/// faces p without a particle in between: above an edge, or where the colour bridges a groove. Births there
 /// would continue as a skin over the groove.
 bool floatsBeforeSheet(const SurfaceView& w, const SurfaceTools& t, const Surfels& f, std::size_t i,
                        const SurfacePoint& p) {
@@ -185,7 +186,7 @@ void resampleOnParticles(const SurfaceView& w, SurfaceHalos halos, SurfaceTools&
       return c.value > leastOverDetail * c.level;
     }
     if (border && f.hasReference.active && f.hasReference[i])
-      // The initial surface has no border. Past a crease, births would continue as a skin over the groove.
+      // The initial surface has no border. Beyond a crease, births would continue as a skin over the groove.
       return false;
     if (continuesAtWall(w, probe, f, i, p)) return true;
     if (border && liquidShare(f, i) < 0.5 && floatsBeforeSheet(w, t, f, i, p)) return false;
@@ -231,8 +232,9 @@ void growAndRelax(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t,
 
 }  // namespace
 
-// Liquid sheets are left to close. Where the field with the surface's support merges two sheets of a solid,
-// that with the particles' own support separates them: layers of particles two spacings apart.
+// Gaps between liquid sheets may close. For solids, the colour field with the surface's support may merge two
+// sheets, such as layers of particles two spacings apart. The field with the particles' own support separates
+// them.
 void growBodies(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t) {
   Surface& s = w.surface;
   const double wide = s.particleSupport,
@@ -290,7 +292,7 @@ void renewSurfels(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t) {
         return c && c->surfels == 0 && c->particles > smallDrop;
       },
       rows);
-  // Surfels about to be deleted also pass on their colours, so that drops keep theirs.
+  // Surfels about to be deleted also pass on their colours, so drops keep their colours.
   inheritColours(w.scene, w.surface, halos, t, rows);
   removeSurfels(s, dead);
   addSurfels(f, rows, w.scene.seed, halos.all);

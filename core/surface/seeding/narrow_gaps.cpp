@@ -12,7 +12,8 @@
 namespace thaw {
 namespace {
 
-// In spacings: the distance of the farthest of 26 neighbours in a cubic lattice. A gap of one layer is wider.
+// Spacings, slightly more than the distance of the farthest of 26 neighbours in a cubic lattice. A gap of one
+// layer is wider.
 constexpr double neighbour = 1.75;
 // path length over straight distance
 constexpr double detour = 1.5;
@@ -44,7 +45,7 @@ class NeighbourPaths {
   const Surface& surface_;
   double near_;  // m
   FreeDirections free_;
-  std::vector<Vec3d> at_;    // relative to the particle, which is the first
+  std::vector<Vec3d> at_;    // m, positions relative to the particle, which is the first
   std::vector<double> way_;  // m, shortest path length
   std::vector<std::uint8_t> done_;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Detects narrow gaps between sheets by their particles, since there are no surfels before surfaces are first
-// grown (docs/validation/stability.md, row 22).
+// Detects narrow gaps between sheets by particles, since no surfels exist before surfaces are grown
+// (docs/validation/stability.md, row 22).
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -17,11 +17,11 @@ struct NarrowGaps {
   std::vector<std::uint64_t> solid, liquid;
 };
 
-/// Finds components with narrow gaps, which the colour field would merge. Only bodies with grown surfaces
-/// have them. Two particles of a component within h_ps, across an empty lattice site, may have a gap. They
-/// have one if no path connects them, or only one of at least 1.5 times their distance. Steps of a path are
-/// at most the distance of lattice neighbours. Requires: particle colours, bins and ghosts
-/// (prepareParticles). Collective.
+/// Finds components with narrow gaps, which the colour field would merge. Only bodies with grown surfaces are
+/// tested. Two particles of a component within h_ps, across an empty lattice site, may have a gap. They have
+/// a gap if no path shorter than 1.5 times their distance connects them. Steps of a path are at most the
+/// distance of lattice neighbours. Requires: particle colours, bins and ghosts (prepareParticles).
+/// Collective.
 NarrowGaps findNarrowGaps(const Scene& scene, const Surface& surface, const Bins& particleBins, Reducer& all);
 
 }  // namespace thaw

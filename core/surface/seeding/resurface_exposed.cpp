@@ -29,14 +29,14 @@ constexpr double neighbourReach = 1.7;
 /// Search radius for surfels around a particle or seed, in spacings. A mesh may lie a spacing above the
 /// outermost particles.
 constexpr double surfelReach = 1.8;
-/// At a true opening, the colour half a spacing farther out is below this share of its level.
+/// At a true opening, the colour half a spacing farther out is below this fraction of its level.
 constexpr double openingDrop = 0.75;
 /// Largest deviation of the colour from its level at a grown surfel, over the level: a third of a spacing
 /// outward, half a spacing inward. Surfels of a mesh may lie 0.8 spacings outward.
 constexpr double mostOutward = 0.2, mostInward = 0.4, mostMeshOutward = 0.5;
-/// A spur is a mesh surfel at the edge of a grown crack face. It stands more than spurHeight spacings above
-/// the nearest surfel of the face within spurReach, although the two meet at a convex edge. Only fully solid
-/// surfels count, because the detail of a melting mesh fades unevenly.
+/// A spur is a mesh surfel at the edge of a grown crack face. Its height above the nearest surfel of the face
+/// within spurReach exceeds spurHeight spacings, although the two surfaces meet at a convex edge. Only fully
+/// solid surfels count, because the detail of a melting mesh fades unevenly.
 constexpr double spurHeight = 0.2, spurReach = 1.5, spurTurn = 0.7;
 /// Grown surfels within this many spacings of new ones relax with them.
 constexpr double relaxingReach = 2.5;
@@ -46,9 +46,9 @@ constexpr double liquidReach = 2;
 /// A surfel with a reference position within this many spacings covers a particle.
 constexpr double coverReach = 1.2;
 
-/// Marks solid particles beside liquid as not covered. The liquid may take over or share their surface, and
-/// exposes them when it drains. A cold particle below surfels that follow their reference
-/// stays covered. Requires: surfels with ghosts and bins.
+/// Marks solid particles next to liquid as not covered. Their surface may become part of the liquid's
+/// surface, and they are exposed when the liquid drains. A cold particle below surfels that follow their
+/// reference stays covered. Requires: surfels with ghosts and bins.
 void uncoverBesideLiquid(const Scene& scene, const SurfaceTools& t, Surface& s) {
   const Surfels& f = s.surfels;
   SurfaceParticles& p = s.particles;
@@ -77,7 +77,7 @@ void uncoverBesideLiquid(const Scene& scene, const SurfaceTools& t, Surface& s) 
 }
 
 /// Seeds surfels around exposed owned particles. Particles that the initial surface still covers are skipped.
-/// Where a solid is bent or compressed, that surface deviates from the colour's iso-surface, and seeds would
+/// On bent or compressed solids, the initial surface deviates from the colour's iso-surface, and seeds would
 /// form a second skin. Requires: surfels with ghosts and bins.
 class ExposedSeeder {
  public:
@@ -95,7 +95,7 @@ class ExposedSeeder {
         probe_(view.scene, view.surface, tools) {
     double largest = 0;
     for (std::size_t i = 0; i < surfels_.size(); i++) largest = std::max(largest, surfels_.radius[i]);
-    // seen from a seed, up to 1.2 spacings from its particle
+    // covers seeds up to 1.2 spacings from their particle
     far_ = 1.2 * spacing_ + std::hypot(surfelReach * spacing_, largest);
   }
 
@@ -211,8 +211,8 @@ class ExposedSeeder {
   std::array<std::optional<SurfacePoint>, FieldProbe::most> at_;
 };
 
-/// Marks surfels of solids that left the surface: surfels beyond the edge of a crack, and surfels inside a
-/// crack that opened. Mesh surfels are tested only beside grown faces. Requires: surfels with ghosts.
+/// Marks surfels of solids that are no longer on the surface: beyond the edge of a crack, or inside a
+/// crack that opened. Mesh surfels are tested only near grown faces. Requires: surfels with ghosts.
 void findDetached(const Scene& scene, const Surface& surface, SurfaceTools& t,
                   std::vector<std::uint8_t>& dead) {
   const Surfels& f = surface.surfels;
@@ -238,7 +238,7 @@ void findDetached(const Scene& scene, const Surface& surface, SurfaceTools& t,
   if (!grown.empty())
     forBlocks(t.relax.surfelBins, bins, reach, block, [&](std::uint32_t i, RowBlock& around) {
       if (i >= f.owned || !solid(i) || f.detail[i] < 0.5f) return;
-      // Meshes resolve more than particles do and lie up to a spacing above the particles' surface.
+      // Meshes resolve more detail than particles, and lie up to one spacing above the particles' surface.
       bool beside = false;
       double nearest2 = spurReach * spurReach * scene.spacing * scene.spacing;
       std::uint32_t face = 0xffffffffu;
@@ -258,7 +258,7 @@ void findDetached(const Scene& scene, const Surface& surface, SurfaceTools& t,
       if (!beside) return;
       if (face != 0xffffffffu) {
         const Vec3d d = f.position[i] - f.position[face];
-        // The face lies behind the surfel: a convex edge.
+        // The face lies behind the surfel, so the edge is convex.
         if (dot(d, f.normal[face]) > spurHeight * scene.spacing && dot(d, f.normal[i]) > 0) {
           dead[i] = 1;
           return;
@@ -277,7 +277,7 @@ void findDetached(const Scene& scene, const Surface& surface, SurfaceTools& t,
   });
 }
 
-/// Lets grown surfels near new ones relax, because an opening crack moves the surface beside its new faces.
+/// Lets grown surfels near new ones relax, because an opening crack moves the surface next to its new faces.
 /// Requires: surfels with ghosts.
 void relaxAroundNew(const Scene& scene, Surfels& f) {
   const double reach = relaxingReach * scene.spacing;

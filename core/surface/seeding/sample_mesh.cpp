@@ -46,7 +46,7 @@ void refineOnBust(const Placement& placed, SurfaceSample& s) {
 
 // Largest distance of triangles from curved faces, in spacings.
 constexpr double chord = 0.01;
-// In spacings: at this distance from a face, one side is inside the body and the other outside.
+// Spacings. At this distance from a face, one side is inside the body and the other outside.
 constexpr double beside = 0.05;
 
 /// Returns the unit normal of a mesh's triangle.
@@ -55,7 +55,7 @@ Vec3d outwardOf(const TriangleMesh& m, std::uint32_t triangle) {
   return normalized(cross(m.vertices[t[1]] - m.vertices[t[0]], m.vertices[t[2]] - m.vertices[t[0]]));
 }
 
-/// Samples in the mesh's own frame, so that samples do not depend on the placement.
+/// Samples in the mesh's own frame, so samples do not depend on the placement.
 std::vector<SurfaceSample> sampleMesh(const Shape& shape, const MeshLoader& load, double spacing,
                                       std::uint64_t seed) {
   const PlacedMesh own = makePlacedMesh(withoutPlacement(shape), load);
@@ -75,7 +75,7 @@ std::vector<SurfaceSample> sampleMesh(const Shape& shape, const MeshLoader& load
   return samples;
 }
 
-/// The same of other shapes, in their own frames.
+/// The same for other shapes, in their own frames.
 std::vector<SurfaceSample> sampleExact(const Shape& placed, const MeshLoader& load, double apart,
                                        std::uint64_t seed) {
   const Shape shape = withoutPlacement(placed);
@@ -195,7 +195,7 @@ void putBirthsOnShapes(const Scene& scene, Surface& surface, const MeshLoader& l
   Surfels& s = surface.surfels;
   const double near = 0.5 * surface.spacing, off = beside * surface.spacing;
   for (std::size_t i = 0; i < s.owned; i++) {
-    // A component is named after a particle.
+    // The label of a component contains the id of a particle.
     const std::uint64_t body = sourceOf(s.component[i] - 1);
     if (!(s.id[i] & birthBit) || body >= shapes.size() || !isSampled(scene, body) ||
         scene.bodies[body].shape.mesh == builtinBust)

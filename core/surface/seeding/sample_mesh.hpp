@@ -20,9 +20,9 @@ struct SurfaceSample {
 };
 
 /// Returns blue-noise samples, `spacing` (m) apart, of a shape. Meshes give normals and colours; buried parts
-/// are left out. Samples of the built-in bust are projected onto the sculpture, which its mesh approximates.
-/// Other shapes are sampled on the meshes of their parts (shapeMesh) and projected onto the exact surface,
-/// with sharp edges and corners.
+/// are omitted. Samples of the built-in bust are projected onto the exact sculpture, because its mesh is an
+/// approximation. Other shapes are sampled on the meshes of their parts (shapeMesh) and projected onto the
+/// exact surface, with sharp edges and corners.
 std::vector<SurfaceSample> sampleShape(const Shape& shape, const MeshLoader& load, double spacing,
                                        std::uint64_t seed);
 
@@ -32,12 +32,12 @@ std::vector<SurfaceSample> sampleBody(const Scene& scene, std::size_t body, cons
                                       const Vec3d& period);
 
 /// Appends the surfels of all sampled bodies, except faces at the body's own periodic image. They are
-/// distributed over the ranks until placeRows, without components until labelNewParticles. Every rank samples
-/// every body, so that the result does not depend on the distribution.
+/// distributed over the ranks until placeRows, and have no components until labelNewParticles. Every rank
+/// samples every body, so the result does not depend on the distribution.
 void sampleMeshes(const Scene& scene, Surface& surface, const MeshLoader& load, const Reducer& all);
 
 /// Projects births of resampling on sampled bodies, beyond their edges, back onto the bodies' surfaces. The
-/// bust is excluded, because its sculpture is finer than its mesh.
+/// bust is excluded, because the sculpture is finer than the mesh.
 void putBirthsOnShapes(const Scene& scene, Surface& surface, const MeshLoader& load);
 
 }  // namespace thaw

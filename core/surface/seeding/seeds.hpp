@@ -10,10 +10,10 @@
 
 namespace thaw {
 
-/// Particles with at least this colour are inner ones, away from the surface.
+/// Particles with at least this colour are inner particles, away from the surface.
 inline constexpr float innerColour = 0.97f;
 
-/// Returns the number of seeds around a particle, from the surfel spacing.
+/// Returns the number of seeds around a particle. It depends on the surfel spacing.
 int seedsOf(const Scene& scene, const Surface& surface);
 
 /// Seed directions, evenly spread on a sphere with a random rotation for each particle.
@@ -61,12 +61,12 @@ class FreeDirections {
 };
 
 /// Finds the surface points of particle i (row of the copies) in n <= FieldProbe::most directions u.
-/// Directions without a surface nearby yield nothing.
+/// Directions without a surface nearby give nothing.
 void seedsOnSurface(FieldProbe& probe, std::size_t i, const Vec3d* u, std::size_t n,
                     std::optional<SurfacePoint>* found);
 
-/// Returns a new surfel of particle i at a surface point. Its id follows from the particle, the step and k.
-/// Its colour is the material's; see inheritColours.
+/// Returns a new surfel of particle i at a surface point. Its id depends on the particle, the step and k. Its
+/// colour is the material's; see inheritColours.
 SurfelRow seedSurfel(const SurfaceView& view, std::size_t i, int k, const SurfacePoint& at);
 
 }  // namespace thaw

@@ -48,7 +48,7 @@ void attachEnclosed(Surface& s, SurfaceHalos halos, ComponentTools& t) {
     findSides(f, t.surfelBins, {p.position[i], p.component[i], false, s.particleSupport}, inside, sides);
     if (sides.empty() || sides[0].distance >= 0 || sides[0].discsUsed < leastDiscs) continue;
     const std::uint64_t part = f.part[sides[0].nearest];
-    // Otherwise those surfels have no particles and will be deleted.
+    // Otherwise, the surfels have no particles and will be deleted.
     if (part >> 63 == 0) into.push_back({p.part[i], part});
   }
   sortUnique(into);

@@ -38,7 +38,7 @@ std::vector<Piece> piecesOf(const SurfaceParticles& p, Reducer& all) {
 
 namespace {
 
-/// Marks surfels beside a separated part for resampling.
+/// Marks surfels next to a separated part for resampling.
 void markSeams(Surface& s, CellHalo& halo, const std::vector<std::uint64_t>& off, const Bins& bins) {
   Surfels& f = s.surfels;
   refreshGhosts(halo, f, ColumnList{&f.part});

@@ -5,7 +5,7 @@
 // - Two surfels with normals within pi/4, one among the k = 10 nearest of the other (S_rest).
 //   Their nearest particles must be within 5/3 (liquids: 2) of the particle link length.
 //   Without this limit, the skin over a crack or a parting neck would stretch for long.
-// - A surfel and its nearest particle. S_rest alone would separate the faces of a cube
+// - A surfel and its nearest particle. With S_rest only, the faces of a cube would be separate
 //   (docs/validation/stability.md, row 19).
 // - Two particles closer than settings.linkLength * spacing.
 //
@@ -23,8 +23,9 @@ namespace thaw {
 inline constexpr int nearestSurfels = 10;
 
 /// Labels new particles with the component of the nearest labelled particle within linkLength * spacing,
-/// repeatedly; isolated ones stay unlabelled. Surfels without a component take that of the nearest particle,
-/// preferably of the body in their id. Requires: placed rows with ghosts. Sends components. Collective.
+/// repeatedly. Isolated particles stay unlabelled. Surfels without a component get the component of the
+/// nearest particle, preferably of the body in their id. Requires: placed rows with ghosts. Sends components.
+/// Collective.
 void labelNewParticles(const Scene& scene, Surface& surface, SurfaceHalos halos, ComponentTools& tools);
 
 /// Finds connected parts. Surfels::part and SurfaceParticles::part of owned and ghost rows become 1 + the
@@ -33,15 +34,17 @@ void labelNewParticles(const Scene& scene, Surface& surface, SurfaceHalos halos,
 /// crosses, not with its size.
 void findParts(const Scene& scene, Surface& surface, SurfaceHalos halos, ComponentTools& tools);
 
-/// Attaches enclosed parts without surfels. If a particle of the part lies inside the surface of its previous
-/// component, the part joins that of the nearest surfel. In K05 too, a particle belongs to the surface that
-/// encloses it. Of several the smallest is taken. Sparse liquids have gaps longer than a link near their
-/// surface. Particles farther than h_ps from every surfel are not tested. Requires: findParts. Collective.
+/// Attaches enclosed parts without surfels. Such parts occur because sparse liquids have gaps longer than a
+/// link near their surface. If a particle of the part lies inside the surface of its previous component, the
+/// part joins the part of the nearest surfel. If there are several, it joins the smallest. In K05, too, a
+/// particle belongs to the surface that encloses it. Particles farther than h_ps from every surfel are not
+/// tested. Requires: findParts. Collective.
 void attachEnclosed(Surface& surface, SurfaceHalos halos, ComponentTools& tools);
 
-/// Turns parts into components. Components with several parts are counted and logged as split, in the order
-/// of labels. A component whose smallest label changes is logged as renamed before that. Surfels without a
-/// particle are deleted and counted as lost. Ghosts of surfels are dropped. Requires: findParts. Collective.
+/// Makes components from parts. Components with several parts are counted and logged as split, in the
+/// order of labels. If the smallest label of a component changes, it is first logged as renamed. Surfels
+/// without a particle are deleted and counted as lost. Ghosts of surfels are dropped. Requires: findParts.
+/// Collective.
 void splitComponents(const Clock& clock, Surface& surface, SurfaceHalos halos, ComponentTools& tools);
 
 }  // namespace thaw

@@ -13,15 +13,15 @@ namespace {
 constexpr std::uint64_t surfelsOnly = std::uint64_t{1} << 63;
 constexpr double cosRest = 0.70710678118654752;  // pi/4
 constexpr std::uint64_t noParticle = ~std::uint64_t{0};
-/// Links of surfels require nearest particles within this factor of the longest particle link. The factor for
-/// liquids is larger, because falling streams stretch along themselves (by 2.4 from 2 to 5 m/s) and remain
-/// connected. Bonds of solids are shorter than the factor for solids.
+/// Links of surfels require that the distance of their nearest particles is within this factor times the
+/// longest particle link. The factor for liquids is larger, because falling streams stretch lengthwise (by
+/// 2.4 from 2 to 5 m/s) but remain connected. The distance for solids exceeds the length of their bonds.
 constexpr double solidLinkFactor = 5.0 / 3, liquidLinkFactor = 2;
 
 /// Returns the body in the id of a mesh surfel, before its component is known.
 std::uint64_t bodyOf(std::uint64_t surfelId) { return surfelId >> 40 & 0x7fffff; }
 
-/// Returns whether two rows may be linked: they are of one component, or, without components, of one body.
+/// Returns whether two rows may be linked: they belong to one component, or, without components, to one body.
 bool mayLink(const Surfels& f, std::size_t i, std::size_t j) {
   return f.component[i] == f.component[j] &&
          (f.component[i] != noComponent || bodyOf(f.id[i]) == bodyOf(f.id[j]));
@@ -43,7 +43,7 @@ bool mayTake(const Scene& scene, const Surface& surface, std::size_t fresh, std:
   return rule == MergeRule::All || (rule == MergeRule::Liquid && (liquid(fresh) || liquid(j)));
 }
 
-/// The smallest distance so far. Ties go to the smaller id.
+/// Smallest distance found so far. Ties go to the smaller id.
 struct Nearest {
   double d2 = std::numeric_limits<double>::infinity();
   std::uint64_t id = ~std::uint64_t{0};
@@ -106,7 +106,7 @@ void listNear(const Rows& rows, std::uint32_t i, const RowBlock& block, double r
   }
 }
 
-/// Radius that holds ten neighbours of most surfels, in surfel radii.
+/// Radius that contains ten neighbours of most surfels, in surfel radii.
 constexpr double usualReach = 2.2;
 
 /// Finds Surfels::nearest: the nearest particle that may be linked.
@@ -155,7 +155,7 @@ void findReach(Surface& s, ComponentTools& t, const std::vector<std::uint8_t>& m
           if (j != i && mayLink(f, i, j)) t.near.push_back({d2, j});
         });
       }
-      // With fewer than ten, all within h_ss count.
+      // With fewer than ten surfels, all within h_ss count.
       if (t.near.size() < nearestSurfels) f.linkRadius2[i] = all2;
       else
         std::nth_element(t.near.begin(), t.near.begin() + nearestSurfels - 1, t.near.end(), closer),

@@ -15,7 +15,7 @@ struct ComponentPair {
   friend auto operator<=>(const ComponentPair&, const ComponentPair&) = default;
 };
 
-/// Union of labels that join, the same on all ranks.
+/// Disjoint sets of joined labels, the same on all ranks.
 class Joined {
  public:
   explicit Joined(const std::vector<ComponentPair>& pairs) {
@@ -49,19 +49,19 @@ class Joined {
   std::vector<std::uint64_t> label_, into_;
 };
 
-/// In spacings: contact distance of particles of two liquids, and largest distance of the midpoint to either
-/// surface. The latter is 0.35 between two balls cut from a lattice. Separation needs 1.5 times the distance
-/// or more (components.hpp), which prevents flicker.
+/// Spacings: contact distance between particles of two liquids, and largest distance of their midpoint from
+/// either surface. The latter is 0.35 between two balls cut from a lattice. Separation requires at least 1.5
+/// times the contact distance (components.hpp), which prevents flicker.
 constexpr double touchLength = 1, touchGap = 0.4;
 
-/// Returns the range (m) in which particles detect other surfaces. Approaching bodies are detected long
-/// before they overlap that deeply.
+/// Returns the range (m) in which other surfaces are detected at particles. Approaching bodies are detected
+/// long before they overlap by this much.
 double particleContactReach(const Scene& scene, const Surface& surface) {
   return std::min(surface.particleSupport, std::max(2 * scene.spacing, 4 * surface.spacing));
 }
 
-/// Returns the range (m) in which surfels detect other surfaces. It is shorter than that of particles, which
-/// stay a spacing apart in contact. classifyJoining handles deeper surfels.
+/// Returns the range (m) in which other surfaces are detected at surfels. It is shorter than for particles,
+/// which stay one spacing apart in contact. classifyJoining handles deeper surfels.
 double surfelContactReach(const Scene& scene, const Surface& surface) {
   return std::min(surface.particleSupport, std::max(scene.spacing, 4 * surface.spacing));
 }
@@ -75,9 +75,10 @@ std::uint64_t before(const ComponentTools& c, std::uint64_t label) {
   return from;
 }
 
-/// Returns whether two liquids touch at particle i. A particle of the other component is within the distance
-/// of neighbours in a liquid, and the midpoint lies in or near both surfaces. Drops at this distance already
-/// press on each other and flatten, before a particle is inside the other drop.
+/// Returns whether two liquids touch at particle i. This is the case if a particle of the other component is
+/// within the distance of neighbours in a liquid, and the midpoint lies in or near both surfaces. At this
+/// distance, drops already exert pressure on each other and flatten, before a particle is inside the other
+/// drop.
 bool touches(const SurfaceView& w, const ComponentTools& c, std::uint32_t i, std::uint64_t other,
              MergeTools& t) {
   const Surface& s = w.surface;
@@ -144,8 +145,8 @@ std::vector<ComponentPair> contactPairs(const SurfaceView& w, Reducer& all, cons
 /// Flags of MergeTools::open.
 enum Seam : std::uint8_t { Disturbed = 1, Joint = 2 };
 
-/// Classifies an owned surfel relative to other components. It dies if its component joins one that it is in
-/// or close to. Otherwise it moves out of components that contain it.
+/// Classifies an owned surfel relative to other components. It dies if its component joins a component that
+/// contains it or is close to it. Otherwise, it moves out of components that contain it.
 void classifySurfel(const SurfaceView& w, std::uint32_t i, const Joined& joined, ComponentTools& c,
                     MergeTools& t) {
   const Surface& s = w.surface;
@@ -168,14 +169,15 @@ void classifySurfel(const SurfaceView& w, std::uint32_t i, const Joined& joined,
   t.moved[i] = f.position[i] + push;
 }
 
-/// Classifies an owned surfel of a joining component at some distance from the other surface. Finds whether
-/// the other's particles shape the common surface here, and whether the surfel lies deep inside the other.
+/// Classifies an owned surfel of a joining component that is not close to the other surface. Finds whether
+/// particles of the other component affect the common surface here, and whether the surfel lies deep
+/// inside that component.
 void classifyJoining(const Surface& s, std::uint32_t i, const Bins& joining, ComponentTools& c,
                      MergeTools& t) {
   const Surfels& f = s.surfels;
   int seen = 0;
   double nearest2 = never;
-  // true if it lies behind the nearest surfel
+  // true if the surfel lies behind the nearest surfel
   bool behind = false;
   forRowsWithin(joining, f.position[i], s.particleSupport, [&](std::uint32_t j, double d2) {
     if (t.into[j] != t.into[i] || f.component[j] == f.component[i]) return;

@@ -14,7 +14,7 @@
 
 namespace thaw {
 
-/// Offset (m) of a component's liquid surface from its level by volume enforcement.
+/// Offset (m) of a component's liquid surface from its level, due to volume enforcement.
 struct ComponentIsoOffset {
   std::uint64_t component;
   double by;
@@ -41,7 +41,7 @@ struct RelaxTools {
   /// flags of owned surfels: listed, and with a moving surfel within reach
   std::vector<std::uint8_t> free, core;
   std::vector<std::uint32_t> groups;
-  std::vector<Vec3d> found;  ///< positions of owned surfels at the last search
+  std::vector<Vec3d> found;  ///< m, positions of owned surfels at the last search
   RelaxTimes times;
 };
 
@@ -53,7 +53,7 @@ struct SurfelSums {
   double particle(int channel) const { return static_cast<double>(particles[8 * channel + lane]); }
 };
 
-/// Returns the offset (m) of a component's surface from its level, 0 if not listed.
+/// Returns the offset (m) of a component's surface from its level; 0 if the component is not listed.
 inline double isoOffsetOf(const std::vector<ComponentIsoOffset>& isoOffset, std::uint64_t component) {
   const auto at = std::lower_bound(
       isoOffset.begin(), isoOffset.end(), component,

@@ -29,7 +29,7 @@ struct SurfaceTools {
   RelaxTools relax;  ///< for displacement and iterations
   /// labels, ascending, of liquids whose close sheets startSurface has merged
   std::vector<std::uint64_t> mergedSheets;
-  /// bodies with several pieces at the start, although no layer is missing between them
+  /// bodies with several pieces at the start, although no lattice layer is missing between the pieces
   std::vector<BodyPieces> pieces;
   SurfaceTimes times;  ///< all updates of this process, without the start
 };

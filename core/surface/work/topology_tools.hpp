@@ -39,7 +39,7 @@ struct ComponentTools {
 struct MergeTools {
   InsideTools inside;
   std::vector<SurfaceSide> sides, touching;
-  std::vector<Vec3d> moved;
+  std::vector<Vec3d> moved;         ///< m, positions after contact
   std::vector<std::uint8_t> open;   ///< flags of surfels that resampling must inspect
   std::vector<std::uint64_t> into;  ///< joined labels of surfels, ghosts included
 };
