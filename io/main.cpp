@@ -31,8 +31,8 @@
 
 namespace {
 
-/// Prints a command-line error once, on rank 0. The end of the MPI session keeps other ranks from ending the
-/// job before that.
+/// Prints a command-line error once, on rank 0. The MPI session keeps the other ranks from ending the job
+/// before rank 0 has printed it.
 void printErrorOnce(CLI::App& app, const CLI::ParseError& e, int* argc, char*** argv) {
   thaw::MpiSession mpi(argc, argv);
   int rank = 0;
@@ -80,14 +80,14 @@ void checkOptions(const CLI::App& app, int argc, char** argv) {
     for (const std::string& name : option->get_lnames()) words.insert("--" + name);
   for (int a = 2; a < argc; a++) {
     const std::string text = argv[a], name = text.substr(0, text.find('='));
-    if (name == "--") return;  // The others are not options.
+    if (name == "--") return;  // later arguments are not options
     if (name.rfind("--", 0) == 0 && !words.count(name))
       throw CLI::ValidationError(
           name, fmt::format("unknown option of `thaw {}`{}", argv[1], thaw::suggestion(name, words)));
   }
 }
 
-/// Returns the error for arguments that no option takes. That of CLI11 has them in reverse order.
+/// Returns the error for arguments that no option takes. The error of CLI11 lists them in reverse order.
 CLI::ValidationError unexpectedArguments(const CLI::App& app) {
   std::string all;
   for (const std::string& text : app.remaining(true)) all += (all.empty() ? "" : " ") + text;

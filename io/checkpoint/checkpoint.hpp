@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checkpoints: the whole state in full precision, in two files in turn (OUT/checkpoint/a.hdf, b.hdf).
-// One complete file thus always exists. Any number of ranks writes and reads them. A run that stops between
-// two snapshots (core/simulation/monitor/) leaves the last snapshot beside them, good_<step>.hdf, for a later
-// rollback.
+// Checkpoints: the whole state in full precision, written alternately to two files (OUT/checkpoint/a.hdf,
+// b.hdf). One complete file thus always exists. Any number of ranks can write and read them. A run that stops
+// between two snapshots (core/simulation/monitor/) leaves the last snapshot beside them, good_<step>.hdf, for
+// a later rollback.
 //   /checkpoint          @format @sequence @step @frame @time @end @every @dt ...; counters, ledger, initial,
 //                        values
 //   /particles/<field>[N, c]   State columns of Continuum, in the order of (rank, row)
@@ -13,9 +13,9 @@
 //   /surfels/<field>[S, c]     State columns of Surfels, with a surface
 //   /surface                   @last_step, counters; components/<member>[K], events/<member>[E]
 //   /oriented/<field>, /sheet/<field>   State columns of oriented bodies and sheets
-//   (core/simulation/body_types/)
-// Every dataset with rows of all ranks has a checksum. The trailer of the file (io/hdf5/file_trailer.hpp) has
-// one of all other bytes, which is compared before HDF5 opens the file.
+//   (core/simulation/body_types/) Every dataset with rows of all ranks has a checksum. The trailer of the
+//   file (io/hdf5/file_trailer.hpp) has a checksum of all other bytes. It is checked before HDF5 opens the
+//   file.
 #pragma once
 #include <mpi.h>
 
@@ -100,8 +100,8 @@ std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const World& 
 std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const WorldSnapshot& kept,
                             const RunStamp& stamp, const CheckpointValues& values = {});
 
-/// Writes the snapshot of a checkpoint between two snapshots to OUT/checkpoint/good_<step>.hdf, in the same
-/// format. It comes before that checkpoint, which thus never names a missing file.
+/// Writes the snapshot that a checkpoint between two snapshots needs to OUT/checkpoint/good_<step>.hdf, in
+/// the same format. Call it before writeCheckpoint, so that the checkpoint never names a missing file.
 std::string writeSnapshot(const std::string& out, MPI_Comm comm, const WorldSnapshot& kept,
                           const RunStamp& stamp, const CheckpointValues& values = {});
 std::string snapshotFilePath(const std::string& out, std::int64_t step);
@@ -110,7 +110,7 @@ std::string snapshotFilePath(const std::string& out, std::int64_t step);
 void dropUnusedSnapshots(const std::string& out);
 
 /// Reads the share of each rank of a checkpoint and compares checksums. Throws the same IoError on all ranks
-/// if it is damaged. Collective.
+/// if the file is damaged. Collective.
 std::unique_ptr<CheckpointSlice> readCheckpoint(const std::string& path, MPI_Comm comm);
 
 /// Reads the newest readable checkpoint of OUT/checkpoint. A damaged newer one becomes a warning. Returns

@@ -5,14 +5,14 @@
 
 namespace thaw {
 
-/// Returns the record of a surface; `there` is false if the scene has none and takeSnapshot has not filled
-/// it.
+/// Returns the record of a surface; `there` is false if the scene has no surface and takeSnapshot has not
+/// filled the record.
 SurfaceRecord surfaceRecordOf(const Surface& surface);
 void restoreSurfaceRecord(const SurfaceRecord& record, Surface& surface);
 
-/// Writes into the group /surface of a checkpoint, which must exist. One process only.
+/// Writes the record into the group /surface of a checkpoint. Requires: the group exists. One process only.
 void writeSurfaceRecord(H5File& file, const SurfaceRecord& record);
-/// Throws IoError if it is damaged.
+/// Reads the record. Throws IoError if the group is damaged.
 SurfaceRecord readSurfaceRecord(const H5File& file);
 
 }  // namespace thaw

@@ -57,8 +57,7 @@ void addExportOptions(CLI::App& command, ExportOptions& o) {
       .add_option("--min", o.min, "lowest value of the colour scale, SI (default: the lowest of the frame)")
       ->check(finiteNumber());
   command.add_option("--max", o.max, "highest value of the colour scale, SI")->check(finiteNumber());
-  command
-      .add_option("--cell", o.cell, "edge of the cubes of the mesh grid, over the mean radius of the surfels")
+  command.add_option("--cell", o.cell, "edge of the cubes of the mesh grid, in mean radii of the surfels")
       ->check(finiteNumber())
       ->check(CLI::Range(0.2, 10.0))
       ->capture_default_str();

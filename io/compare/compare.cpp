@@ -123,7 +123,7 @@ struct Unmatched {
   }
 };
 
-/// Returns the position of the first one; ids of born surfels are hashes without meaning to users.
+/// Returns the position of the first unmatched row. Ids of born surfels are hashes without meaning to users.
 std::string placeOf(const Snapshot& file, const SnapshotTable& t, const Unmatched& u) {
   const auto at = std::find_if(t.columns.begin(), t.columns.end(), [](const SnapshotColumn& c) {
     return c.name == "position" && c.shape.components == 3;

@@ -38,7 +38,7 @@ struct Snapshot {
   H5File file;
   std::string kind;  ///< "frame" or "checkpoint"
   std::vector<SnapshotNumber> numbers;
-  std::map<std::string, std::string> values;  ///< the restart record of a checkpoint, but for its numbers
+  std::map<std::string, std::string> values;  ///< texts of the restart record of a checkpoint
   std::vector<SnapshotTable> tables;
 };
 

@@ -10,10 +10,11 @@
 
 namespace thaw {
 
-/// All throw IoError if the file cannot be written. colours: one per surfel.
+/// All functions throw IoError if the file cannot be written. colours: one per surfel.
 
 /// Writes binary PLY with each surfel as a polygon of `corners` corners, for Blender. Colours are on corners
-/// and faces, which Blender keeps, unlike normals of single vertices. `discs`: radius over the surfel's.
+/// and faces, which Blender keeps, unlike normals of single vertices. `discs`: drawn radius, as a multiple of
+/// the surfel's.
 void writePlyDiscs(const std::filesystem::path& file, const SurfaceFrame& frame,
                    const std::vector<Rgb>& colours, double discs = 1, int corners = 8);
 
@@ -35,11 +36,11 @@ void writePov(const std::filesystem::path& file, const SurfaceFrame& frame, cons
               const RenderStyle& style, double discs = 1);
 
 /// Write the closed meshes of components to one file, with normals and colours at the vertices. PLY is
-/// binary. Each face has its component's index in the list (0, 1, ...), and lines are edges. Ids are split in
-/// halves (id_high, id_low), since PLY has no 64-bit type. Vertices have the same index as "object", and all
-/// fields that one of the meshes has (mesh_fields.hpp). OBJ has an object with the name or the body of each,
-/// or else `component_LABEL`, and lines as `l`. The line of a mesh that is cut ends with ", which extends
-/// through ..." (cutNote; else empty).
+/// binary. Each face has the index of its component in the list (0, 1, ...). Vertices have this index as
+/// "object", and all fields that one of the meshes has (mesh_fields.hpp). Ids are split into halves (id_high,
+/// id_low), since PLY has no 64-bit type. Lines are edges. OBJ has one object per mesh, called after its name
+/// or body, else `component_LABEL`. Lines are `l`. The comment line of a mesh that is cut at periodic sides
+/// ends with cutNote (", which extends through ..."), which is empty for other meshes.
 void writeMeshPly(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes);
 void writeMeshObj(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes);
 std::string cutNote(const ComponentMesh& mesh);

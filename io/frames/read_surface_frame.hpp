@@ -28,7 +28,7 @@ struct SurfaceFrame {
 /// Returns whether a frame has the fields of surfels: `normal` with 3 components and `radius`.
 bool isSurfaceFrame(const FrameInfo& info);
 
-/// The error for other frames.
+/// Error message for frames without surfels.
 inline constexpr const char* noSurfaceFrame =
     "is not a frame of a surface: it has no fields normal and radius (frames of surfels are called "
     "NAME_surface_000000.hdf)";

@@ -27,7 +27,7 @@ void addSheetFields(const World& w, Frame& f) {
 void addSheetTriangles(SheetBodies& b, BondHalo& halo, std::uint64_t firstRow, Frame& f) {
   Solids& e = b.edges.ends;
   f.meshed = true;
-  // Send the row numbers by the exchange of positions. Forces send the positions again before they need them.
+  // Sends row numbers in place of positions. The force evaluation exchanges the positions again before use.
   for (std::size_t solidIndex = 0; solidIndex < e.owned; solidIndex++)
     e.position[solidIndex] = {static_cast<double>(firstRow + e.particle[solidIndex]), 0, 0};
   const std::array<AnyColumn*, 1> columns{&e.position};

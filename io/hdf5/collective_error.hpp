@@ -17,7 +17,7 @@ void agree(MPI_Comm comm, const std::string& problem);
 /// throw on some ranks only. Collective.
 void runCollectively(MPI_Comm comm, const std::function<void()>& work);
 
-/// Does the same with work of rank 0 alone.
+/// Runs `work` on rank 0 only, then calls agree. Collective.
 void onFirstRank(MPI_Comm comm, const std::function<void()>& work);
 
 }  // namespace thaw

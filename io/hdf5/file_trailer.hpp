@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Trailer behind the end of an HDF5 file: a checksum of all bytes except the rows of large datasets. It
+// Trailer after the end of an HDF5 file: a checksum of all bytes except the rows of large datasets. It
 // protects everything that HDF5 parses (superblock, headers, attributes, texts), since damage there can crash
 // the library. Rows are only copied; their checksums, where kept, are attributes
-// (ParallelFileContent::checked). Together they cover every byte. The trailer needs no pass over the rows,
-// and no rank reads what another one has written, which some network file systems delay. HDF5 ignores bytes
-// behind its own end; programs that change the file drop them.
+// (ParallelFileContent::checked). Trailer and row checksums together cover every byte. Writing the trailer
+// needs no pass over the rows. No rank thus reads rows of another rank, which some network file systems
+// deliver late. HDF5 ignores bytes after its own end. Programs that change the file drop them.
 //   trailer: {first, count} of each range of rows; number of ranges, bytes before the trailer, checksum,
 //   checksum of the trailer, magic. All are 64-bit words, little-endian.
 #pragma once

@@ -38,7 +38,8 @@ struct ParallelFileContent {
                          ///< compare, and syncs to the disk
 };
 
-/// Row range of this rank if each rank has `count` rows, and the total. Collective.
+/// Row range of this rank if each rank has `count` rows (its own), and the number of rows of all ranks.
+/// Collective.
 struct Spread {
   RowRange mine;
   std::uint64_t all = 0;

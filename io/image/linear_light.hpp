@@ -21,7 +21,7 @@ inline Light toLinear(Rgb c) { return {decoded(c.r), decoded(c.g), decoded(c.b)}
 inline Light product(const Light& a, const Light& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 inline Light mixed(const Light& a, const Light& b, float t) { return (1 - t) * a + t * b; }
 
-/// toLinear by table.
+/// Computes toLinear by a table.
 class Decoder {
  public:
   Decoder() {

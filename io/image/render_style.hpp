@@ -23,7 +23,7 @@ struct GlassHint {
   std::shared_ptr<const SignedDistance> shape;
   Mat3d turn = identity3<double>();  ///< pose: x = move + turn x_shape
   Vec3d move{};                      ///< m
-  Vec3f colour{1, 1, 1};             ///< linear light that passes four faces, besides reflection
+  Vec3f colour{1, 1, 1};             ///< linear light transmitted by four faces; reflection is separate
 };
 
 /// Distant light.

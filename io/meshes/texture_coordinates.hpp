@@ -15,7 +15,7 @@ namespace thaw {
 
 using Uv = std::array<float, 2>;
 
-/// A mesh as its file has it, with texture coordinates of the corners of each triangle.
+/// A mesh as stored in its file, with texture coordinates of the corners of each triangle.
 struct TexturedMesh {
   TriangleMesh mesh;
   std::vector<std::array<Uv, 3>> uv;  ///< per triangle; empty if the file has none

@@ -10,10 +10,11 @@
 
 namespace thaw {
 
-/// An obstacle drawn as a solid, at rest. Each vertex has one normal, so edges have vertices of both sides.
+/// An obstacle drawn as a solid, at rest. Each vertex has one normal, so both sides of an edge have
+/// vertices of their own.
 struct DrawnObstacle {
   std::vector<Vec3d> places, normals;  ///< m; unit, outward
-  std::vector<float> radii;            ///< m, fraction of the longest edge, for queries of light
+  std::vector<float> radii;            ///< m, a fraction of the longest edge, for light queries
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< small enough for the shadows on them
   std::vector<std::array<Vec3d, 3>> casters;            ///< m, the same surface in fewer triangles
   std::vector<Keyframe> motion;
@@ -21,11 +22,11 @@ struct DrawnObstacle {
   Rgb colour;
 };
 
-/// Returns the obstacles that look solid, with triangles small enough for their shadows, but no planes, which
-/// are floors, and no periodic images. Throws like makeSignedDistance.
+/// Returns the obstacles that look solid, with triangles small enough for their shadows. Omits planes, which
+/// are floors, and periodic images. Throws like makeSignedDistance.
 std::vector<DrawnObstacle> solidObstacles(const Walls& walls);
 
-/// Adds the places of the obstacles at their keyframes to a box.
+/// Adds the obstacles in their poses at keyframes to a box.
 void addToBox(const std::vector<DrawnObstacle>& obstacles, ViewBox& box);
 /// Adds the boxes of bounded glass obstacles at their keyframes, whose shadows the floor shows.
 void addGlassToBox(const Walls& walls, ViewBox& box);

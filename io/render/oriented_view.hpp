@@ -8,7 +8,8 @@
 
 namespace thaw {
 
-/// Styles of oriented particles (ST92): shaded triangulation, wireframe, a disc each, or three axes each.
+/// Styles of oriented particles (ST92): shaded triangulation, wireframe, one disc per particle, or three axes
+/// per particle.
 enum class OrientedLook { Mesh, Wire, Discs, Axes };
 OrientedLook orientedLookNamed(const std::string& name);  ///< throws std::invalid_argument for an unknown
                                                           ///< name
@@ -24,7 +25,7 @@ void addBall(FrameView& view, const Vec3f& place, float radius, Rgb colour, std:
 /// Adds a frame of oriented particles.
 void addOriented(FrameView& view, const std::filesystem::path& frame, OrientedLook look);
 
-/// Adds it to a view of other body types.
+/// Adds a frame of oriented particles to a view of other body types.
 void addOrientedBeside(FrameView& view, const std::filesystem::path& oriented, OrientedLook look,
                        float spacing);
 

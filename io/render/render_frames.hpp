@@ -29,10 +29,10 @@ struct FrameView {
   std::vector<float> radii;    ///< m
   std::vector<Rgb> colours;    ///< surface colours
   std::vector<std::uint32_t> components;
-  /// Triangles between rows, counter-clockwise seen from the front; these rows are no discs.
+  /// Triangles between rows, counter-clockwise seen from the front; these rows are not drawn as discs.
   std::vector<std::array<std::uint32_t, 3>> faces;
-  std::vector<std::uint8_t> cutAxes;  ///< per row: periodic axes, as bits, at whose sides it ends; may be
-                                      ///< shorter
+  std::vector<std::uint8_t> cutAxes;  ///< per row: bits of the periodic axes at whose sides the surface
+                                      ///< ends; rows beyond the list have none
   PeriodicSides sides;
   SurfelPaint paint = SurfelPaint::Plain;
   std::vector<std::array<Vec3f, 3>> solids;  ///< triangles that cast the shadows of the last `solidFaces`

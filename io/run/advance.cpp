@@ -10,7 +10,7 @@
 namespace thaw {
 namespace {
 
-/// Marks a run as within a step during its life.
+/// Marks a run as within a step, for the lifetime of this object.
 class Advancing {
  public:
   explicit Advancing(Run& r) : run_(r) { run_.advancing = true; }

@@ -9,7 +9,7 @@ namespace thaw {
 enum class Advance {
   Stepped,
   RolledBack,  ///< the step failed; the run is back at the last snapshot, with a shorter step
-  Stopped,     ///< after a step, since a stop was requested
+  Stopped,     ///< a stop was requested; the last step is complete
   BlewUp       ///< the step failed, and the retries are used up
 };
 

@@ -39,7 +39,8 @@ std::string bodyTypeFailure(const World& w, const StepTools& t, const StepOutcom
   double worst = most;
   all.maximum({&worst, 1});
   bool here = rows && most == worst;
-  // The lowest type, then the lowest id. Its upper half comes first, since a double has 53 bits.
+  // Finds the lowest type, then the lowest id. The upper and lower halves of the id are compared in turn,
+  // since a double has 53 bits.
   for (int part = 0; part < 3; part++) {
     const double value = !here ? -never
                                : -static_cast<double>(

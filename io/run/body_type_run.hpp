@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames of oriented bodies and sheets. Nothing is done for a scene without them.
+// Frames of oriented bodies and sheets. The functions do nothing in a scene without them.
 #pragma once
 #include "io/run/run_state.hpp"
 

@@ -17,8 +17,8 @@ void beginLedgerLog(const std::string& out, const Modules& modules);
 /// missing or has other columns. First rank only. Throws IoError.
 void truncateLedgerLog(const std::string& out, const Modules& modules, std::int64_t step);
 
-/// Returns whether a row is due for the step from the time `before` (s) to now. Requires: the frames of now
-/// are not written yet.
+/// Returns whether a row is due for the step from the time `before` (s) to the current time. Requires: the
+/// frames of the current time are not written yet.
 bool ledgerRowDue(const Scene& scene, const Clock& clock, double before);
 
 /// Writes a row. Requires: forces of the current positions. Collective.

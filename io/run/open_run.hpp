@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a scene to a run that is ready for its next step, and from its last step to its end. All functions are
-// collective.
+// Start of a run, from its scene up to its first step, and end of a run after its last step. All functions
+// are collective.
 #pragma once
 #include "io/run/run_state.hpp"
 

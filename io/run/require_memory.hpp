@@ -18,8 +18,8 @@ namespace thaw {
 void requireMemory(const Communicator& comm, const Modules& modules, const Scene& scene,
                    const std::vector<std::shared_ptr<const SignedDistance>>& shapes);
 
-/// Refuses oriented bodies and sheets that cannot fit into memory. Must be called before the world is
-/// prepared, which makes them. Throws ShapeError with a line for each such body, at its place in the scene.
+/// Refuses oriented bodies and sheets that cannot fit into memory. Call it before the world is prepared,
+/// which creates these bodies. Throws ShapeError with a line for each such body, at its place in the scene.
 /// Returns a line for each body whose sampling takes a while. Collective.
 std::vector<std::string> requireMemoryForBodyTypes(const Communicator& comm, const Scene& scene,
                                                    const MeshLoader& load);

@@ -29,7 +29,7 @@ void restoreLastSnapshot(Run& r) {
   World& w = r.world;
   const char* limitedBy = w.clock.limitedBy;
   std::unique_ptr<CheckpointSlice> slice;
-  // May throw; the world is still unchanged.
+  // If this throws, the world is unchanged.
   if (!r.snapshotInMemory)
     slice = readCheckpoint(snapshotFilePath(r.options.out, w.monitor.snapshotStep), r.comm.handle());
   emptyWorld(w, r.tools);

@@ -6,11 +6,11 @@
 
 namespace thaw {
 
-/// Takes the first snapshot after a start or restart, or finds the one on disk to which a retry goes back.
+/// Takes the first snapshot after a start or restart, unless the snapshot that a retry needs is on disk.
 void beginRetries(Run& run);
 
-/// Returns whether a snapshot is due: in steps that are multiples of Numerics::retryEvery. Neither ranks nor
-/// clocks matter.
+/// Returns whether a snapshot is due: in steps that are multiples of Numerics::retryEvery. This does not
+/// depend on ranks or wall-clock time.
 bool snapshotDue(const Run& run);
 
 /// Checks the ledger when a snapshot is due; acceptSnapshot then takes the snapshot. Frames may be written
@@ -25,7 +25,8 @@ void acceptEdit(Run& run);
 /// snapshot. Periodic checkpoints are delayed until then.
 bool atSnapshot(const Run& run);
 
-/// Writes the snapshot beside the checkpoint of a run that stops after it, unless it is on disk.
+/// Writes the last snapshot beside the checkpoint of a run that stops between two snapshots, unless it is
+/// already on disk.
 void writeLastSnapshot(Run& run);
 
 /// Responds to a failure in the last step. Returns true after a rollback to the last snapshot, with half the

@@ -103,8 +103,8 @@ bool create(const std::string& path, const std::string& text) {
 }
 
 /// Replaces the lock `old` by a new one. Returns false if it is no longer there. The kernel's lock on the old
-/// file excludes other processes. Without such locks the last text remains, and the
-/// other process reads a text that is not its own.
+/// file excludes other processes. Without such locks the text written last remains. The other process
+/// detects that the text is not its own.
 bool replace(const std::string& path, const LockHolder& old, const std::string& text) {
   const File file(::open(path.c_str(), O_RDWR));
   if (file.fd < 0 && errno == ENOENT) return false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lock of a run folder. OUT/lock names the process that writes there, from before the first file to after
-// the last.
+// The lock of a run folder. OUT/lock names the process that writes there. It exists from before the first
+// file is written until after the last one.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -33,11 +33,12 @@ struct LockRequest {
   std::string out;  ///< folder; made where it is missing
   int ranks = 1;
   bool force = false;   ///< take the lock of another host, or an unreadable one
-  double waitTime = 1;  ///< time for a holder on this host to end, s
+  double waitTime = 1;  ///< s, time in which a holder on this host may still end
 };
 
-/// Lock of this process on a folder. Rank 0 only. A killed process leaves the file. The file appears whole:
-/// by a hard link, else by O_EXCL. Both are safe on NFS.
+/// Lock of this process on a folder. Rank 0 only. A killed process leaves the file. The file is complete when
+/// it appears: it is created by a hard link, or by O_EXCL where there are no hard links. Both are safe on
+/// NFS.
 class RunLock {
  public:
   RunLock() = default;

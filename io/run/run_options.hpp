@@ -23,7 +23,7 @@ struct RunOptions {
   int traceSteps = 20;     ///< number of last steps in the trace
   bool history = false;    ///< keep the rows of the ledger in memory
   double reportEvery = 2;  ///< s of wall-clock time between progress lines
-  std::function<void(const std::string&)> log = {};  ///< receives each line of progress, news and warnings,
+  std::function<void(const std::string&)> log = {};  ///< receives each line of progress, notes and warnings,
                                                      ///< on the first rank; none: the run is silent
   std::function<void(const std::string&)> status = {};  ///< receives a short status line in place of
                                                         ///< each progress line, for terminals

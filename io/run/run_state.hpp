@@ -52,16 +52,14 @@ struct Run : MpiSimulation {
   bool begun = false;                // the world holds its particles
   bool stoppedInRelaxation = false;  // stopped during relaxation before the start: nothing of the run is on
                                      // disk
-  std::set<std::pair<std::size_t, std::size_t>> interpenetrationWarned;  // oriented bodies and bodies of
-                                                                         // which warnOfInterpenetration has
-                                                                         // warned
-  std::set<std::pair<std::size_t, std::size_t>> obstacleInterpenetrationWarned;  // the same for oriented
-                                                                                 // bodies and walls
+  std::set<std::pair<std::size_t, std::size_t>> interpenetrationWarned;  // pairs of oriented body and body,
+                                                                         // after a warning
+  std::set<std::pair<std::size_t, std::size_t>> obstacleInterpenetrationWarned;  // the same for walls
   std::vector<std::function<void()>> onStep, onFrame;  // functions of the program, called after each step
                                                        // and each frame
   bool stepping = false;                               // in the step loop, whose calls are collective
   bool advancing = false;                              // within advance()
-  bool edited = false;                     // the program has changed rows, and no snapshot has them yet
+  bool edited = false;                     // rows changed by the program are not yet in a snapshot
   std::unique_ptr<LedgerHistory> history;  // with RunOptions::history
 
   Run(const RunOptions& o, const Communicator& c) : MpiSimulation(c), options(o), comm(c) {}
@@ -116,8 +114,8 @@ void writeCheckpointOf(Run& run);
 /// Returns the monitor of stop requests on this rank. Rank 0 checks clock and disk for all.
 StopMonitor stopMonitorOf(const Run& run);
 
-/// Writes the summary of a failed run; ignores errors in doing so. together: all ranks are here, so that
-/// their state can be gathered, if they have one.
+/// Writes the summary of a failed run; ignores errors in doing so. together: all ranks call it, so their
+/// state can be gathered, if there is one.
 void summariseFailure(Run& run, const std::string& message, bool together);
 
 /// Writes the summary of a run that was stopped before its start.

@@ -6,8 +6,8 @@
 
 namespace thaw {
 
-/// Makes SIGTERM, SIGINT, SIGUSR1 and SIGUSR2 only set a flag. mpirun forwards the latter two without a time
-/// limit. After the former two it kills the job within two seconds.
+/// Makes SIGTERM, SIGINT, SIGUSR1 and SIGUSR2 only set a flag. mpirun forwards SIGUSR1 and SIGUSR2 without a
+/// time limit. After SIGTERM and SIGINT it kills the job within two seconds.
 void catchSignals();
 
 /// Returns the number of the first signal caught, 0 if none.

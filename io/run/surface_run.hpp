@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surface in a run: start, update and output. All functions but removeSurfaceFrames are collective. All
-// require the surface module.
+// The surface in a run: start, update and output. All functions require the surface module. All except
+// removeSurfaceFrames are collective.
 #pragma once
 #include "io/run/run_state.hpp"
 
 namespace thaw {
 
-/// Makes the first surface, of the sampled bodies, and its logs.
+/// Creates the first surface from the sampled bodies, and starts its logs.
 void beginSurface(Run& run, const MeshLoader& load);
 
 /// Restores index and logs at a restart. Entries after the checkpoint are dropped and written again.

@@ -62,8 +62,8 @@ class BuiltSceneCheck {
     });
   }
 
-  /// Returns the name of a material, which the reader's checks use. Adds an error for a missing one.
-  /// all: -1 is all materials.
+  /// Returns the name of a material, which the reader's checks use. Adds an error for a missing one. all: -1
+  /// stands for all materials.
   MaterialName refer(int m, const SourcePlace& where, const std::string& owner, bool all,
                      std::vector<SceneError>& errors) const {
     const int n = static_cast<int>(scene_.materials.size());

@@ -36,7 +36,7 @@ void merge(toml::table& to, toml::table& from, bool top) {
   }
 }
 
-/// Returns the message of a parser without its first word "Error": the line of the error has the word.
+/// Returns the message of a parser without its first word "Error", which the line of the error already has.
 std::string complaintOf(const toml::parse_error& e) {
   const std::string_view text = e.description(), first = "Error ";
   return std::string(text.starts_with(first) ? text.substr(first.size()) : text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texts of a scene, apart from their meaning. One rank reads them and sends them to the others.
+// Texts of a scene, before they are parsed. One rank reads them and sends them to the others.
 #pragma once
 #include <map>
 #include <string>

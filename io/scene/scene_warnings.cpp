@@ -31,7 +31,7 @@ bool isNotPlanar(const OrientedBody& b) {
                      [&](const Vec3d& x) { return x.y != b.points.front().y; });
 }
 
-/// Warns of unused materials. A misspelt name in --set makes one.
+/// Warns of unused materials. A misspelt name in --set creates one.
 void addUnusedMaterials(const Scene& s, std::vector<std::string>& lines) {
   std::set<int> used;
   std::set<std::string> names;

@@ -76,7 +76,7 @@ struct Simulation::Parts {
       throw;
     }
   }
-  /// Calls `work`. An error that all ranks have leaves a summary of their state.
+  /// Calls `work`. After an error on all ranks, writes a summary of their state.
   template<class Work> auto guarded(Work work) {
     try {
       return work();

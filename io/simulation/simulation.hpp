@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A simulation as a program sees it: made from a scene, stepped, read, changed, written. It does all that
-// `thaw run` does, which is its first client, and prints nothing.
+// A simulation as a program sees it: made from a scene, stepped, read, changed, written. It does
+// everything that `thaw run` does, except printing. `thaw run` itself uses it.
 //
 //   thaw::MpiSession mpi(&argc, &argv);
 //   thaw::Simulation sim({.scene = "melt.toml", .out = "out/melt"});
@@ -28,7 +28,7 @@ struct LedgerHistory;
 struct Run;
 class Communicator;
 
-/// A step failed, and the retries of the scene are used up. what(): which particle, why, and what was tried.
+/// A step failed, and the retries of the scene are used up. what(): the particle, the cause and the retries.
 struct BlewUp : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -36,13 +36,12 @@ struct BlewUp : std::runtime_error {
 class Simulation {
  public:
   /// Reads the scene file `options.scene` and makes its particles, or continues from the checkpoint in
-  /// `options.out` with options.restart or resume. With a folder, it locks it and writes the first frame.
+  /// `options.out` with options.restart or resume. If there is a folder, locks it and writes the first frame.
   /// Throws SceneErrors, ShapeError, IoError or std::runtime_error, alike on all ranks.
   explicit Simulation(RunOptions options, MPI_Comm comm = MPI_COMM_WORLD);
   /// The same with a scene that the program made or changed, equal on all ranks. options.scene is a name for
   /// messages and files, "scene" by default. A restart compares the scene with that of the checkpoint. Throws
-  /// SceneErrors for values out of the ranges of scene files, and for references to materials that are not
-  /// there.
+  /// SceneErrors for values out of the ranges of scene files, and for references to missing materials.
   Simulation(Scene scene, RunOptions options, MPI_Comm comm = MPI_COMM_WORLD);
   /// The same with the text of a scene file (TOML), equal on all ranks; paths are relative to the working
   /// folder.
@@ -51,9 +50,9 @@ class Simulation {
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
 
-  /// Takes one step, with the surface, frames, ledger rows and checkpoints that are due after it. After a
-  /// failure that a retry may mend the simulation is back at its last snapshot. Returns false without a step
-  /// at the end of the scene, and after a stop request (signal, stop file, time limit). Throws BlewUp,
+  /// Takes one step, with the surface, frames, ledger rows and checkpoints that are due after it. If the step
+  /// fails and a retry is left, the simulation goes back to its last snapshot. At the end of the scene, and
+  /// after a stop request (signal, stop file, time limit), takes no step and returns false. Throws BlewUp,
   /// IoError.
   bool step();
   /// Steps to the end of the scene, or to a stop request.
@@ -76,15 +75,15 @@ class Simulation {
   std::int64_t steps() const;  ///< steps since the start of the scene
   const Scene& scene() const;  ///< with all defaults resolved
   const World& world() const;  ///< particles, surface, sheets, oriented bodies of this rank
-  World& world();              ///< changes that a program makes here are in no ledger
+  World& world();              ///< changes made through it are not in the ledger
   /// Tables of this rank, each with columns that have name, unit and meaning; empty where the scene has none.
   const Continuum& particles() const;
   const Surfels& surfels() const;
   const Sheets& sheets() const;
   const Oriented& oriented() const;
-  bool writes() const;                               ///< it has a folder
-  bool busy() const;                                 ///< within a step: a function of the program runs
-  MPI_Comm communicator() const;                     ///< the simulation's own
+  bool writes() const;            ///< true if it has a folder
+  bool busy() const;              ///< true within a step, while a function of the program runs
+  MPI_Comm communicator() const;  ///< the simulation's own
   const std::vector<std::string>& warnings() const;  ///< on the first rank
   int rank() const;
   int ranks() const;
@@ -98,10 +97,9 @@ class Simulation {
   /// Writes a frame or a checkpoint now. Requires: a folder.
   void writeFrame();
   void writeCheckpoint();
-  /// Goes back to the newest checkpoint in the folder, as a restart does, with all functions that were added.
-  /// Driven obstacles must be constructed again.
-  /// If it throws (SceneErrors without a checkpoint, IoError), the simulation is unchanged. Requires: a
-  /// folder.
+  /// Goes back to the newest checkpoint in the folder, as a restart does. Keeps all functions that were
+  /// added. Driven obstacles must be constructed again. If it throws (SceneErrors if there is no checkpoint,
+  /// IoError), the simulation is unchanged. Requires: a folder.
   void restore();
 
   /// Functions that are called after every step, and after every frame. They are called again for steps that
@@ -120,14 +118,15 @@ class Simulation {
   /// The automatic sound speed of liquids does not include it: give material.sound_speed, ten times the
   /// largest speed of the flow.
   void addForce(OutsideSource source);
-  /// Lets the program change Continuum::velocity and temperature of owned rows between both calls. endEdit
-  /// returns whether some rank changed one; forces and the next step are then computed anew. The ledger
-  /// records the change as work, impulse and heat from outside, and retries keep it. In between no step is
-  /// possible. Both throw std::logic_error out of order. endEdit throws std::invalid_argument on all ranks
-  /// for values that are not finite and for temperatures below 0 K, and takes all changes back.
+  /// Between beginEdit and endEdit, the program may change Continuum::velocity and temperature of owned rows.
+  /// endEdit returns whether some rank changed one; forces and the next step are then computed anew. The
+  /// ledger records the change as work, impulse and heat from outside, and retries keep it. No step is
+  /// possible during an edit. Both functions throw std::logic_error if called out of order. endEdit throws
+  /// std::invalid_argument on all ranks for values that are not finite and for temperatures below 0 K, and
+  /// reverts all changes.
   Continuum& beginEdit();
   bool endEdit();
-  /// Requests that all ranks stop after the next step; one rank suffices.
+  /// Requests that all ranks stop after the next step. It suffices to call it on one rank.
   void requestStop();
   /// Lets a simulation go on after a stop request.
   void resume();

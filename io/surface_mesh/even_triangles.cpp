@@ -20,7 +20,7 @@ using Outline = std::vector<RevolvedDistance::Point>;
 constexpr double longest = 3.4;  // sides of a rectangle whose halves have angles above 16 degrees
 constexpr int mostCells = 150;   // along an edge
 
-/// Returns the number of cells along an edge beside edges of this shortest length.
+/// Returns the number of cells along an edge next to edges with this shortest length.
 int cellsAlong(double length, double shortest) {
   return static_cast<int>(std::clamp(std::ceil(length / (longest * shortest)), 1.0, 1.0 * mostCells));
 }

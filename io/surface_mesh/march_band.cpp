@@ -118,7 +118,7 @@ struct BandMarcher {
                                       : grid.spacing();
   }
 
-  /// own: corner with the first slot of the cube, by which it is marched once; 8: cube without slots.
+  /// own: corner with the first slot of the cube, so that each cube is marched once. 8: cube without slots.
   void marchCubeOf(const Corner& low, int own) {
     double value[8];
     for (int c = 0; c < 8; c++) {

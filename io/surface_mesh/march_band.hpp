@@ -21,9 +21,9 @@ struct MarchedBand {
 MarchedBand marchBand(const BandGrid& grid, const BandHeights& heights, const PlaneField& planes,
                       const Vec3f& deep, bool projectedLater);
 
-/// Removes spurious closed shells next to a larger one. One test is a volume below two cubes, since nearest
-/// surfels may disagree at sharp edges. The other is less than half of the area on discs. For bubbles and
-/// fragments in narrow creases it is about a tenth, for real surfaces nearly all.
+/// Removes spurious closed shells next to a larger one. A shell is spurious if its volume is below two cubes
+/// (nearest surfels may disagree at sharp edges), or if less than half of its area is on discs. Bubbles and
+/// fragments in narrow creases have about a tenth of their area on discs, real surfaces nearly all.
 void removeFragments(MarchedBand& band, const PlaneField& planes, double spacing);
 
 }  // namespace thaw

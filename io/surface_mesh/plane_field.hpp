@@ -10,7 +10,7 @@
 
 namespace thaw {
 
-inline constexpr double planeSharpness = 0.6;  ///< width of the weights over a surfel's radius
+inline constexpr double planeSharpness = 0.6;  ///< width of the weights, in radii of the surfel
 /// Least cosine of a normal to that of the nearest surfel: excludes the other side of a thin sheet.
 inline constexpr float planeAgreement = -0.3f;
 /// Radii within which surfels count, plus `margin`.

@@ -39,10 +39,10 @@ struct CheckedCost {
   double memoryPerRank = 0, bytesPerParticle = 0, surfaceBytesPerRank = 0;
   double steps = 0;
   double stepping = 0;                       ///< s
-  double surfaceLeast = 0, surfaceMost = 0;  ///< s: the surface stays together, or splashes
+  double surfaceLeast = 0, surfaceMost = 0;  ///< s: if the liquid stays together, if it splashes
   double particleStepsPerSecond = 0;         ///< rate of one rank
   int measuredSteps = 0;
-  std::optional<RunGrowth> growth{};  ///< after these steps; included in steps and stepping
+  std::optional<RunGrowth> growth{};  ///< after the measured steps; included in steps and stepping
   bool surface = false;
 };
 

@@ -28,8 +28,8 @@ double residentNow() {
   return resident * static_cast<double>(::sysconf(_SC_PAGESIZE));
 }
 
-// Core seconds per surfel and update of melt, from an hour of keiser/melting_fast. For scenes without surfels
-// at the start.
+// Core seconds per surfel and update of molten material, measured over an hour of keiser/melting_fast. Used
+// for scenes without surfels at the start.
 constexpr double secondsPerSurfel = 2e-5;
 constexpr double bytesPerSurfel = 2800;  // measured with scenes/melt, work lists included; used for few
                                          // surfels, whose memory is mostly fixed

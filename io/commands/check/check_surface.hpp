@@ -16,9 +16,9 @@ class SurfaceTrial {
   /// Does nothing without the surface module. Coarsens a surface of more than 1e5 expected surfels.
   /// Collective.
   SurfaceTrial(const Communicator& comm, World& world, const MeshLoader& load);
-  /// Times an update after a few steps. Times another with everything molten and moving, if the scene has
-  /// liquid: it iterates over the whole surface, also where solids carry it. The world then serves for counts
-  /// only. Collective.
+  /// Times an update after a few steps. If the scene has liquid, times another update with all material
+  /// molten and moving. It iterates over the whole surface, including the parts on solids. Afterwards only
+  /// the counts of the world are valid. Collective.
   void update();
   /// Cost of the surface over a run of `steps` steps, summed over ranks. surfelsTogether: the liquid stays
   /// together; surfelsMost: all of it breaks up into drops (the same without liquid). Zero without the
@@ -27,7 +27,7 @@ class SurfaceTrial {
     double surfels = 0, surfelsTogether = 0, surfelsMost = 0, bytes = 0, updates = 0, frames = 0, seconds = 0,
            secondsMost = 0;
   };
-  /// particles: number at the end, with emitted ones. Collective.
+  /// particles: number at the end, including emitted ones. Collective.
   Forecast forecast(double steps, double particles) const;
   const std::vector<std::uint64_t>& mergedSheets() const { return tools_.mergedSheets; }
   const std::vector<BodyPieces>& pieces() const { return tools_.pieces; }

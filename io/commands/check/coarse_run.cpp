@@ -24,14 +24,14 @@ constexpr std::size_t coldSteps = 5, firstSteps = 40;  // the first steps fill c
 /// Progress of a run.
 struct Mark {
   double time = 0;     ///< s, simulated
-  double seconds = 0;  ///< s of the processor: other programs on the machine do not count
+  double seconds = 0;  ///< s of processor time, which excludes other programs on the machine
   double steps = 0;
 };
 
 double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Steps the simulation to its end, or until the time is over. Returns a mark after each step; nothing if a
-/// step fails. Collective, the same result on all ranks.
+/// Steps the simulation to its end, or until its time is used up. Returns a mark after each step; nothing if
+/// a step fails. Collective, the same result on all ranks.
 std::vector<Mark> runToEnd(const Communicator& comm, MpiSimulation& simulation) {
   const Clock& clock = simulation.world.clock;
   const double start = processorSeconds(), until = secondsNow() + mostSecondsOfRun;

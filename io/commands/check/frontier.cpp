@@ -103,8 +103,8 @@ bool contactLimits(Scene s, const Modules& m) {
   return m.contact && !modulesOf(s).rareContact;
 }
 
-/// Returns whether the scene can use this setting. With many substeps, liquids pump energy into solids that
-/// are not those of the reference case.
+/// Returns whether the scene can use this setting. With many substeps, liquids pump energy into solids
+/// unlike those of the reference case.
 bool usable(const std::string& setting, const Scene& s, const Modules& m) {
   constexpr double mostSubsteps = 4;
   if (keyOf(setting) == "numerics.elastic_substeps")

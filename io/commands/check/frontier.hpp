@@ -11,8 +11,8 @@
 namespace thaw {
 
 /// A setting of a case at one spacing. settings: as for `--set`, with * for the name of a material; empty:
-/// the defaults. error < 0: the run failed, or its ledger does not close. cost: core seconds over those of
-/// the defaults. best: no other point has both less error and less cost.
+/// the defaults. error < 0: the run failed, or its ledger does not close. cost: core seconds, divided
+/// by those of the defaults. best: no other point has both less error and less cost.
 struct FrontierPoint {
   std::string cases, norm, settings;
   double error = 0, cost = 0;
@@ -26,7 +26,7 @@ using FrontierPoints = std::span<const FrontierPoint>;
 /// materials of the scene; keys without use in the scene are left out.
 std::vector<std::string> frontierLines(FrontierPoints points, const Scene& scene, const Modules& modules);
 
-/// Returns settings ("key=value") on one line, quoted for a shell, each after `before`.
+/// Returns settings ("key=value") on one line, quoted for a shell, each preceded by `before`.
 std::string settingList(const std::vector<std::string>& settings, const char* before);
 
 /// Settings ("key=value") and the line that recommends them.

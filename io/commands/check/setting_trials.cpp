@@ -19,8 +19,8 @@ constexpr double mostParticleSteps = 1e6;  // per run: a second or two on one co
 constexpr int leastSteps = 20,
               mostSteps = 250;        // fewer show nothing; more take long with few particles
 constexpr double mostSeconds = 15;    // all runs together
-constexpr double unexplained = 0.05;  // residual over the largest term of the ledger, beyond that without the
-                                      // setting
+constexpr double unexplained = 0.05;  // allowed increase of the residual by the setting, as a fraction of the
+                                      // largest term of the ledger
 
 }  // namespace
 

@@ -13,7 +13,7 @@ namespace thaw {
 
 namespace {
 
-/// Size of a particle over that of a surfel with its triangles.
+/// Size of a particle, divided by that of a surfel with its triangles.
 constexpr double particleShare = 0.25;
 
 double rowsOf(const FrameGroup& group, unsigned contents) {

@@ -15,10 +15,10 @@ namespace thaw {
 /// Returns the size in bytes of an export of `frames` frames like this scene. It may write a file.
 using SampleBytes = std::function<double(const ExportScene& scene, double frames)>;
 
-/// A file that is removed at the end.
+/// A file that the destructor removes.
 struct SampleFile {
   std::filesystem::path path;
-  /// Returns a name in the folder of the file that an export writes.
+  /// beside: the file that the export writes. The sample is in the same folder.
   explicit SampleFile(const std::filesystem::path& beside)
       : path(beside.parent_path() / fmt::format(".{}.sample", beside.filename().string())) {}
   ~SampleFile() {
@@ -31,8 +31,8 @@ struct SampleFile {
 };
 
 /// Prints the number of frames, and the expected size and time of the export of `todo` (indices of frames).
-/// One frame is gathered and written for it. Other frames take size and time in proportion to their rows.
-/// Nothing is printed for a single frame.
+/// Gathers and writes one frame to measure both. Assumes that size and time of other frames are proportional
+/// to their rows. Prints nothing for a single frame.
 void announceExport(ExportRun& run, const std::vector<std::size_t>& todo, const SampleBytes& bytesOf);
 
 /// Returns the scene of a frame, which is gathered unless `announceExport` has done so.

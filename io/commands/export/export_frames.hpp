@@ -46,7 +46,7 @@ void exportUsd(const std::filesystem::path& out, const ExportOptions& options);
 /// Writes the frames of a run as one USD layer. name: name of the root prim. Prints a summary.
 void writeUsd(const std::filesystem::path& file, const std::string& name, ExportRun& run);
 
-/// The same as one temporal VTKHDF file.
+/// Writes a run as one temporal VTKHDF file. out: as for exportUsd.
 void exportVtkHdf(const std::filesystem::path& out, const ExportOptions& options);
 void writeVtkHdf(const std::filesystem::path& file, const std::string& name, ExportRun& run);
 
@@ -56,7 +56,7 @@ class ProgressLine {
   ProgressLine(std::size_t count, bool wantsLines);
   ~ProgressLine();
   void done(std::size_t frames);
-  /// Removes the bar until the next `done`, for lines above it.
+  /// Removes the bar until the next `done`, so that lines can be printed.
   void clear() const;
 
  private:

@@ -16,7 +16,7 @@ struct ExportOptions {
   std::string field = "surface";  ///< source of the colours: the surface's own, or a field
   std::string map = "ember";
   std::optional<double> min, max;  ///< range of the colours, SI; empty: the range of the frame
-  double cell = 1;                 ///< cell edge of the mesh grid, over the surfels' mean radius
+  double cell = 1;                 ///< cell edge of the mesh grid, in mean radii of the surfels
   int threads = 0;                 ///< 0: one per core
   bool uv = false;                 ///< with texture coordinates of surfaces
   bool mesh = false;               ///< vtp: closed meshes of surfaces instead of surfels

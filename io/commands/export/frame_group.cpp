@@ -58,7 +58,7 @@ std::vector<fs::path> framesOf(const fs::path& input, unsigned content) {
   } catch (const IoError&) { return {}; }
 }
 
-/// Returns the first content of a run that is wanted, and its frames. Throws IoError if there is none.
+/// Returns the first requested content of a run, and its frames. Throws IoError if there is none.
 std::vector<fs::path> firstFrames(const ExportOptions& options, unsigned wanted, unsigned& content) {
   if (!fs::exists(options.input)) findFrames(options.input);  // throws the error
   if (!fs::is_directory(options.input)) {

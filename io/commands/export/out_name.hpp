@@ -12,7 +12,7 @@ inline bool isFolder(const std::filesystem::path& path) {
   return std::filesystem::is_directory(path, error);
 }
 
-/// endings: in words, of the files that the format allows.
+/// endings: the file endings that the format allows, in words.
 [[noreturn]] inline void refuseOut(const std::filesystem::path& out, const std::string& endings) {
   throw std::invalid_argument("--out: expected a folder or a file that ends in " + endings + ", got " +
                               out.string());

@@ -13,15 +13,15 @@
 
 namespace thaw {
 
-/// Texture coordinates by id of surfel. A surfel keeps its own throughout the run.
+/// Texture coordinates by id of surfel. A surfel keeps its coordinates throughout the run.
 class SurfaceUv {
  public:
-  /// Samples the bodies again, as at the start of the run. A body without texture coordinates has none.
-  /// Throws std::exception if a mesh file is missing.
+  /// Samples the bodies again, as at the start of the run. Skips bodies without texture coordinates. Throws
+  /// std::exception if a mesh file is missing.
   explicit SurfaceUv(const Scene& scene);
   bool empty() const { return uv_.empty(); }
-  /// Gives new surfels the coordinates of the nearest known surfel of their component. Requires: calls for
-  /// all surface frames in order of time, from the first one.
+  /// Gives new surfels the coordinates of the nearest known surfel of their component. Requires: it is called
+  /// for all surface frames in order of time, from the first one.
   void addBirths(const SurfaceFrame& frame);
   /// Returns the coordinates of each surfel, NaN where it has none.
   std::vector<Uv> of(const SurfaceFrame& frame) const;
@@ -30,8 +30,8 @@ class SurfaceUv {
   std::unordered_map<std::uint64_t, Uv> uv_;
 };
 
-/// Returns the texture coordinates of a run's surfels over the frames of a surface, in order of time; empty
-/// without bodies that have some. Appends warnings.
+/// Returns the texture coordinates of a run's surfels over its surface frames, given in order of time. They
+/// are empty if no body has texture coordinates.
 SurfaceUv followUv(const Scene& scene, const std::vector<std::filesystem::path>& frames);
 
 }  // namespace thaw

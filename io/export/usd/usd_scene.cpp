@@ -118,8 +118,7 @@ UsdPrimSample pointsPrim(const ExportPoints& points, const UsdFile& file) {
   return std::move(maker.prim);
 }
 
-/// Adds the background of pictures, which USD has no schema for: importers show
-/// such attributes as properties of the user.
+/// Adds the background of pictures. USD has no schema for it, so importers show it as user properties.
 void addBackground(const Lighting& lighting, PrimMaker& maker) {
   const auto add = [&](const char* name, const std::optional<Rgb>& c) {
     if (!c) return;

@@ -20,8 +20,8 @@ class Backdrop {
   const FloorLight* floorBefore(const Vec3f& ray, float& depth) const;
   Light floorShade(const FloorLight& floor, const Vec3f& ray, float depth) const;
   Light sky(const Vec3f& ray) const;
-  /// Returns the light of the floor below a point over that of an unshadowed floor, for reflection from
-  /// below; 1 without a floor.
+  /// Returns the light of the floor below a point, as a fraction of that of an unshadowed floor. It is for
+  /// reflection from below; 1 without a floor.
   float bounce(const Vec3f& point) const;
   const std::vector<FloorLight>& floors() const { return floors_; }
 

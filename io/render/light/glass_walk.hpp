@@ -22,10 +22,10 @@ class GlassWalk {
   /// Returns the glass between `origin` (m) and `origin + reach * direction`. Reflection grows at grazing
   /// angles (S94).
   GlassLayer along(const Vec3d& origin, const Vec3d& direction, double reach) const;
-  /// Returns the light that passes so many faces, besides reflection.
+  /// Returns the fraction of light transmitted by this number of faces, without losses by reflection.
   Light tintOf(int faces) const;
-  const Vec3d& centre() const { return centre_; }  ///< m, and radius of a sphere around it
-  double radius() const { return radius_; }
+  const Vec3d& centre() const { return centre_; }  ///< m, of a sphere around the glass
+  double radius() const { return radius_; }        ///< m, of this sphere
 
  private:
   GlassLayer walk(const Vec3d& origin, const Vec3d& direction, double from, double to) const;

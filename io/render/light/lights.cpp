@@ -94,7 +94,8 @@ float skyLight(const Lights& lights, const Vec3f& point, const Vec3f& normal) {
   float light = 0, full = 0, open = 0;
   const Vec3f from = point + (0.5f * lights.radius) * normal;
   for (const DepthMap& map : lights.sky) {
-    const float facing = dot(normal, map.toLight) + 0.15f;  // slightly beyond the horizon, as for a sky
+    const float facing = dot(normal, map.toLight) + 0.15f;  // light from slightly below the horizon counts,
+                                                            // as from a sky
     full += map.toLight.z + 0.15f;
     if (facing <= 0) continue;
     const float visible = map.visible(from, 1.4f * lights.radius, 0);

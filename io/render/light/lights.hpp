@@ -21,8 +21,7 @@ struct LightSource {
 /// Returns the sun, or the lights that replace it. The first one is called the sun.
 std::vector<LightSource> lightSources(const Lighting& lighting, const View& view);
 
-/// Colours of a white surface in pictures of surfaces: of its part in direct light, and of its part in the
-/// light of an open sky.
+/// Colours of a white surface in pictures of surfaces: in direct sunlight, and in the light of an open sky.
 inline constexpr Light sunTint{0.88f, 0.86f, 0.82f}, skyTint{0.52f, 0.54f, 0.58f};
 
 struct SideLight {

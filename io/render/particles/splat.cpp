@@ -19,7 +19,7 @@ DepthBuffer splatSpheres(const Discs& spheres, const View& view, int width, int 
     float x, y;
     const float z = view.project(spheres.positions[i], x, y);
     if (!(z > near + radius)) continue;
-    // In samples; at least so large that it cannot fall between them.
+    // Radius in samples, large enough to cover at least one sample centre.
     const float r = std::max(view.focal * radius / z, 0.75f);
     if (!(x > -r && y > -r && x < w + r && y < h + r)) continue;
     const float over = 1 / (r * r);

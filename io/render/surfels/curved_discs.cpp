@@ -31,8 +31,8 @@ Vec3f anyAcross(const Vec3f& n) {
   return a / std::sqrt(dot(a, a));
 }
 
-/// sine: about that of the turn of normals within a disc's radius. 0 at a sharp edge between flat faces,
-/// where discs are clipped instead (disc_clips.hpp).
+/// sine: approximate sine of the rotation of normals within a disc's radius. It is 0 on flat faces, also at a
+/// sharp edge between them, where discs are clipped instead (disc_clips.hpp).
 struct Turn {
   float sine = 0;
   bool edge = false;
@@ -187,7 +187,7 @@ std::vector<DiscPart> curvedDiscs(const Discs& discs, std::span<const std::uint3
     const Vec3f x = discs.positions[i], n = discs.normals[i];
     const float r = discs.radius(i);
     const auto whole = [&](bool edge = false) { parts.push_back({x, n, r, i, edge, {{{i, 1}}}}); };
-    if (!(0.5f * r > most)) return whole();  // flat enough even for a turn of a right angle
+    if (!(0.5f * r > most)) return whole();  // flat enough even if normals rotate by a right angle
     near.clear();
     const double far2 = static_cast<double>(around * around * r * r);
     for (std::size_t k = 0; k < beside.count; k++)

@@ -16,7 +16,7 @@ using CutComponents = std::map<std::uint64_t, std::uint8_t>;
 
 struct CutSides {
   std::vector<std::uint8_t> axes;                   ///< per row: axes along which it is cut, as bits
-  std::vector<std::array<std::uint32_t, 3>> faces;  ///< caps: rows that are no discs
+  std::vector<std::array<std::uint32_t, 3>> faces;  ///< caps: their rows are not drawn as discs
 };
 
 /// Adds rows to a frame: images of surfels that continue the surface up to the sides, and corners of caps,

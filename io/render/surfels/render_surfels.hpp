@@ -16,7 +16,7 @@ namespace thaw {
 struct SurfelInput {
   std::span<const Vec3f> positions;           ///< m
   std::span<const Vec3f> normals;             ///< unit, outward
-  std::span<const float> radii;               ///< m; neighbours at most this far apart leave no hole
+  std::span<const float> radii;               ///< m; neighbours within this distance leave no hole
   std::span<const float> values;              ///< in the unit of the colour scale
   std::span<const Rgb> colours;               ///< surface colours
   std::span<const std::uint32_t> components;  ///< bodies do not blend into each other
@@ -25,7 +25,7 @@ struct SurfelInput {
   /// Triangles that cast the shadows of the last `solidFaces` faces, fewer and larger than these.
   std::span<const std::array<Vec3f, 3>> solids{};
   std::size_t solidFaces = 0;
-  /// Per row: axes, as bits, at whose sides it ends; rows behind the last one end nowhere.
+  /// Per row: bits of the axes at whose sides the surface ends. Rows beyond the list have none.
   std::span<const std::uint8_t> cutAxes{};
   PeriodicSides sides{};
 };
@@ -37,7 +37,7 @@ enum class SurfelPaint { Plain, Values, Surface, Glow, Mixed };
 
 struct SurfelStyle {
   SurfelPaint paint = SurfelPaint::Plain;
-  float discs = 1.25f;  ///< drawn radius over the surfel's
+  float discs = 1.25f;  ///< drawn radius, as a multiple of the surfel's
   int threads = 1;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Splatting in two passes: the front surfel at each sample, then the mean of those around it.
+// Splatting in two passes: the front surfel at each sample, then the mean of the surfels around the visible
+// point.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -61,7 +61,8 @@ float skySeen(const SurfelLights& lights, const Backdrop& backdrop, const Vec3f&
   float light = 0, full = 0, open = 0;
   const Vec3f from = point + (0.5f * radius) * normal;
   for (const DepthMap& map : lights.lights.sky) {
-    const float facing = dot(normal, map.toLight) + 0.15f;  // slightly beyond the horizon, as for a sky
+    const float facing = dot(normal, map.toLight) + 0.15f;  // light from slightly below the horizon counts,
+                                                            // as from a sky
     full += map.toLight.z + 0.15f;
     if (facing <= 0) continue;
     const float visible = map.visible(from, 0.9f * radius, 0);

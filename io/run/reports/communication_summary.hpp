@@ -19,7 +19,7 @@ struct CommunicationSummary {
     RankSpread messages, bytes, waited;
   };  ///< per rank; waited in s
   std::array<Of, purposes> of{};
-  RankSpread messages, bytes, waited;          ///< the same for all purposes together
+  RankSpread messages, bytes, waited;          ///< totals over all purposes
   std::int64_t allMessages = 0, allBytes = 0;  ///< sums over ranks
   std::int64_t collectives = 0;                ///< largest over ranks
 };

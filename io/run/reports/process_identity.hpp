@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Identity of the process that writes a run, which separates killed runs from live ones.
+// Identity of the process that writes a run. It distinguishes killed runs from live ones.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
 namespace thaw {
 
-/// A Linux process. Its start separates it from a later process with the same number.
+/// A Linux process. Its start distinguishes it from a later process with the same number.
 struct ProcessIdentity {
   std::string host;
   long pid = 0;
@@ -16,7 +16,7 @@ struct ProcessIdentity {
 ProcessIdentity ownProcess();
 
 enum class ProcessState { Here, Gone, Unknown };  ///< Unknown: on another host
-/// Returns the presence of a process, as seen from this host.
+/// Returns whether a process exists, as far as this host can determine.
 ProcessState processStateOf(const ProcessIdentity& process);
 
 /// Returns the time, "2030-01-02T03:04:05Z".

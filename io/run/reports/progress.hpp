@@ -36,7 +36,7 @@ void beginProgressLog(const std::string& out);
 void addToProgressLog(const std::string& out, const Progress& progress, const RunSummary& summary);
 /// Returns the last complete line of the log by column, or nothing.
 std::map<std::string, std::string> lastProgress(const std::string& out);
-/// Drops lines after `step` and an incomplete last line, at a rollback or restart. Starts a log anew that is
+/// Drops lines after `step` and an incomplete last line, at a rollback or restart. Starts a new log if it is
 /// missing or has other columns.
 void truncateProgressLog(const std::string& out, std::int64_t step);
 

@@ -16,10 +16,10 @@ struct SolverUse {
   std::int64_t last;
   double mean;
   double residual = 0, tolerance = 0;  ///< m/s, of contacts in the last step; 0 for other solvers
-  double overlap = 0;                  ///< m, largest one of contacts since the start of the program
+  double overlap = 0;                  ///< m, largest overlap of contacts since the start of the program
 };
 
-/// Returns the use of each solver of the scene. On the first rank, whose counters have it.
+/// Returns the use of each solver of the scene. Valid on the first rank only, whose counters contain it.
 std::vector<SolverUse> solversOf(const World& world, const StepTools& tools);
 
 }  // namespace thaw

@@ -20,9 +20,9 @@ void beginComponentLog(const std::string& out);
 /// Adds the lines of the current frame (Clock::frame).
 void addToComponentLog(const std::string& out, const Surface& surface, const Clock& clock);
 
-/// Drops lines after `step` and an incomplete last line, at a rollback or restart. Starts a missing log anew.
-/// Returns the volume errors of the remaining frames. Lines of earlier versions lack the target volume; that
-/// field stays empty.
+/// Drops lines after `step` and an incomplete last line, at a rollback or restart. Starts a new log if it is
+/// missing. Returns the volume errors of the remaining frames. Lines of earlier versions lack the target
+/// volume; that field stays empty.
 VolumeErrors truncateComponentLog(const std::string& out, std::int64_t step);
 
 /// Replaces the whole log, which is part of the state.

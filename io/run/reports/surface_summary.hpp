@@ -20,7 +20,7 @@ struct SurfaceSummary {
   double spacing = 0;                          ///< m
   std::int64_t lastStep = -1;                  ///< step of the last update
   std::int64_t updatesHere = 0;                ///< updates by this process
-  double seconds = 0;                          ///< their time, largest over ranks
+  double seconds = 0;                          ///< s, of these updates, largest over ranks
   std::array<double, surfacePhases> phases{};  ///< s, by phase, largest over ranks
   bool keepsVolume = false;                    ///< the scene sets surface.keep_volume
   VolumeErrors volumeErrors;                   ///< over all frames of the run so far; first rank only

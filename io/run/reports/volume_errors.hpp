@@ -10,14 +10,14 @@
 
 namespace thaw {
 
-/// Size classes of components. Components of fewer particles than leastComponentParticles are mostly rim.
-/// From leastSmallParticles on their largest error is reported separately; smaller ones are spheres. Volume
-/// control skips components of fewer surfels than leastControlledSurfels.
+/// Size classes of components. Components of fewer particles than leastComponentParticles are mostly rim. The
+/// largest error of those with at least leastSmallParticles is reported separately. Smaller ones are spheres.
+/// Volume control skips components of fewer surfels than leastControlledSurfels.
 inline constexpr std::int64_t leastComponentParticles = 30, leastSmallParticles = 5,
                               leastControlledSurfels = 12;
 
-/// Share of the area that may be missing in a surface whose volume is certain. With spurs of a mesh along the
-/// cracks of a body, 3 % was missing, and the volume came out 3 to 5 % too large.
+/// Largest fraction of missing area of a surface with a reliable volume. Where a mesh has spurs along
+/// cracks of a body, 3 % is missing, and the volume is 3 to 5 % too large.
 inline constexpr double closedTolerance = 0.01;
 
 /// A component at a frame. The volume of its surface is (1 + off) times the reference volume.
@@ -39,17 +39,18 @@ struct VolumeSums {
   }
 };
 
-/// The largest errors of the recorded frames; the first of equal ones.
+/// The largest errors over all recorded frames. Of equal errors, the first one is kept.
 struct VolumeErrors {
   bool any = false;              ///< at least one component
   VolumeError againstParticles;  ///< against the volume of the particles
   VolumeError againstTarget;     ///< against the target volume (SurfaceComponent::targetVolume)
-  VolumeError small;   ///< the same for components of leastSmallParticles to leastComponentParticles - 1
+  VolumeError small;   ///< against the target, for leastSmallParticles to leastComponentParticles - 1
+                       ///< particles
   VolumeSums sum;      ///< the frame with the largest error of the summed volume
   VolumeSums missing;  ///< the frame with the largest share of missed particles
   std::int64_t particles = 0, missed = 0;  ///< VolumeSums over all frames
   VolumeError open;         ///< the most open surface: SurfaceComponent::open in place of `off`
-  std::int64_t unsure = 0;  ///< particles in components of leastComponentParticles and more that are more
+  std::int64_t unsure = 0;  ///< particles in components of at least leastComponentParticles that are more
                             ///< open than closedTolerance
 };
 

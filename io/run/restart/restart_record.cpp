@@ -32,7 +32,7 @@ const char* prefixOf(Restart effect) {
 
 Record recordOf(const Scene& s) {
   std::vector<KeyDescription> keys = sceneValues(s);
-  // Automatic sound speeds follow from it. It depends on the start of bodies, too.
+  // Automatic sound speeds follow from the expected speed, which also depends on the initial state of bodies.
   if (std::ranges::any_of(s.materials, [](const Material& m) { return canBeLiquid(m) && m.soundSpeed == 0; }))
     keys.push_back({"numerics", "expected_speed", "m/s", "", numberText(expectedFlow(s).speed), "",
                     Restart::Coefficient});

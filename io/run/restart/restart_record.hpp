@@ -27,10 +27,11 @@ std::vector<std::string> coefficientChanges(const CheckpointValues& stored, cons
 /// growth of oriented bodies, future events, steps and solvers.
 std::vector<std::string> settingChanges(const CheckpointValues& stored, const Scene& scene, double time);
 
-/// Returns a line for each change of an event that was before `time` (s) in both scenes. It has no effect.
+/// Returns a line for each change of an event that was before `time` (s) in both scenes. Such changes have no
+/// effect.
 std::vector<std::string> pastEventChanges(const CheckpointValues& stored, const Scene& scene, double time);
 
-/// Returns a line for each change of the start of bodies. It has no effect.
+/// Returns a line for each change of the initial state of bodies. Such changes have no effect.
 std::vector<std::string> initialStateChanges(const CheckpointValues& stored, const Scene& scene);
 
 /// Returns " (scene.toml:14)": the line of the smallest table whose key begins the text

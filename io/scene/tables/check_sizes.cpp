@@ -43,7 +43,7 @@ double particlesIn(const Shape& shape, double spacing) {
 }
 
 /// Returns the error for all continuum bodies together, at the key `spacing`, if one of them has more
-/// particles than ids. Else returns "".
+/// particles than there are ids. Else returns "".
 std::string tooFineForBodies(const Scene& s, bool noGrid) {
   double sum = 0, most = 0;
   const Body* largest = nullptr;

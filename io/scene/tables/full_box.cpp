@@ -30,8 +30,9 @@ void chooseForFullBox(Scene& s, const OpenChoices& open) {
 
 namespace {
 
-/// Raises a liquid to an alpha of 0.02, the customary value for inviscid liquids (ACM12). An
-/// alpha equals a viscosity of alpha c h rho / 10. Less in scenes with solids, since it drags coarse bodies.
+/// Adds artificial viscosity, so that the viscosity of a liquid corresponds to an alpha of at least 0.02, the
+/// usual value for inviscid liquids (ACM12). An alpha corresponds to a viscosity of alpha c h rho / 10. The
+/// value is lower in scenes with solids, since it drags coarse bodies.
 void chooseArtificialViscosity(Scene& s, const OpenChoices& open) {
   const bool solids = std::any_of(s.materials.begin(), s.materials.end(),
                                   [](const Material& m) { return m.canBeSolid(); });
@@ -50,8 +51,8 @@ void chooseArtificialViscosity(Scene& s, const OpenChoices& open) {
   }
 }
 
-/// Damps sound in liquids, so that the disorder of moving particles does not feed it. Flow without
-/// compression keeps its energy.
+/// Damps the sound in liquids that the disorder of moving particles excites. Flow without compression keeps
+/// its energy.
 void chooseBulkDamping(Scene& s, const OpenChoices& open) {
   constexpr double enough = 0.02;
   for (std::size_t k = 0; k < s.materials.size(); k++)
@@ -62,7 +63,7 @@ void chooseBulkDamping(Scene& s, const OpenChoices& open) {
 
 namespace {
 
-/// Returns whether nothing that the scene sets excludes tension by curvature.
+/// Returns whether the settings of the scene permit tension by curvature.
 bool mayActByCurvature(const Scene& s, const OpenChoices& open) {
   const Numerics& n = s.numerics;
   const bool carried = open.density || n.density == DensityForm::Continuity,

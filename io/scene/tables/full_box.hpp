@@ -11,11 +11,11 @@ namespace thaw {
 /// Smallest support of tension by curvature: a particle of the surface needs neighbours on it.
 constexpr double leastCurvatureSupport = 1.9;
 
-/// Choices of [numerics] and of the body that fills the box that the scene leaves open.
+/// Settings that the scene leaves open: choices of [numerics], and the packing of its only body. True: open.
 struct OpenChoices {
   bool density = true, tensileLimit = true, shifting = true, tension = true;
   bool viscosityCorrection = true, packing = true;
-  std::vector<std::uint8_t> artificialViscosity;  ///< per material: 1 if the scene does not set it
+  std::vector<std::uint8_t> artificialViscosity;  ///< per material: 1 if open
   std::vector<std::uint8_t> bulkDamping;          ///< the same
 };
 
@@ -39,7 +39,7 @@ void chooseForFullBox(Scene& scene, const OpenChoices& open);
 void chooseForLiquids(Scene& scene, const OpenChoices& open);
 
 /// Switches the correction of the viscosity on if the viscosity of a liquid limits explicit steps more than
-/// sound does. Such liquids keep the lattice of the start for long. Others lose it soon.
+/// sound does. Such liquids keep their initial lattice for a long time, others lose it soon.
 void chooseForThickLiquids(Scene& scene, const OpenChoices& open);
 
 }  // namespace thaw

@@ -66,7 +66,7 @@ void readEmitter(TableReader& r, Emitter& e, SceneReading& x) {
   r.vector("centre", e.centre, "m", "middle of the opening");
   r.vector("direction", e.direction, "", "direction of the flow; any length but 0");
   r.number("speed", e.speed, "m/s", {0, fastestStart, true, false, false}, "speed of the flow");
-  r.number("rate", e.rate, "kg/s", notNegative(), "mass flow; 0: the flow at this speed");
+  r.number("rate", e.rate, "kg/s", notNegative(), "mass flow; 0: follows from `speed` and the opening");
   readVelocityField(
       r, e.velocityField,
       "velocity by position in the opening, added to the flow, such as { x = \"-5*y\", y = \"5*x\" } for a "

@@ -39,7 +39,7 @@ void readComponents(TableReader& r, Vec3d& velocity, VelocityField& field) {
     readNumberOrField(r, {axes[a], "m/s", slow, ""}, velocity[a], field.component[a]);
 }
 
-/// Returns three components as they would be in a list.
+/// Returns three components as text of a list.
 std::string componentsText(const Vec3d& velocity, const VelocityField& field) {
   std::vector<std::string> texts;
   for (int a = 0; a < 3; a++)

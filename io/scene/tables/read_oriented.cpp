@@ -98,8 +98,8 @@ void readEvent(TableReader& r, OrientedEvent& e) {
   r.restart(Restart::Setting);
   r.choice("kind", e.kind, {"weld", "cut", "crease", "smooth"},
            "weld: joins another body to this one, whose name later events use. cut: ends all interaction "
-           "across it. crease: along a line, forces no longer depend on orientations. smooth: undoes this "
-           "within its SHAPE");
+           "across it. crease: along a line, forces no longer depend on orientations. smooth: removes "
+           "creases within its SHAPE");
   r.number("time", e.time, "s", notNegative(), "time of the event; 0: at the start, after relaxation");
   r.text("other", e.other, "weld: the body that is joined to this one", "name of an oriented body");
   const bool cut = e.kind == OrientedEventKind::Cut;
@@ -265,7 +265,7 @@ void readOriented(TableReader& r, OrientedBody& b, SceneReading& x) {
            "moment of inertia of a particle, divided by its mass and the square of the spacing");
   r.restart(Restart::Coefficient);
   r.number("stiffness", b.stiffness, "N/m", positive(),
-           "unit of its energies: weight times stiffness times the square of the spacing");
+           "scale of its energies: each is its weight times this times the square of the spacing");
   r.number("attract", b.attract, "", notNegative(),
            "weight of the Lennard-Jones potential, which spaces particles evenly");
   r.number("coplanar", b.plane, "", notNegative(),

@@ -9,21 +9,22 @@ namespace thaw {
 struct ModelPart;
 struct TermTable;
 
-/// Name of the material of a body or emitter. reported: the name was refused before.
+/// Name of the material of a body or emitter. reported: an error was already added for the name.
 struct MaterialName {
   std::string name;
   SourcePlace where;
   bool reported = false;
 };
 
-/// The same of an element of a list of tables of a term; an empty name is all materials.
+/// The same for an element of a term's list of tables. An empty name stands for all materials.
 struct TermMaterial {
   MaterialName name;
   const TermTable* table;
   std::size_t index;
 };
 
-/// State of reading besides the scene: names that refer to other tables, which checkScene resolves.
+/// State of the reader besides the scene. It holds names that refer to other tables, which checkScene
+/// resolves.
 struct SceneReading {
   Scene* scene = nullptr;
   SourcePlace start;  ///< start of the file, for errors without a place
@@ -38,12 +39,14 @@ struct SceneReading {
 
 /// Reads all keys of a scene file.
 void readSections(TableReader& top, SceneReading& reading);
-/// Returns their descriptions.
+/// Returns the descriptions of all keys.
 std::vector<KeyDescription> sceneKeys();
-/// Returns the values (SI) that a restart compares, of a scene whose defaults are chosen.
+/// Returns the values (SI) of a scene that a restart compares. Requires: the defaults of the scene are
+/// chosen.
 std::vector<KeyDescription> sceneValues(Scene scene);
 
-/// Returns the values that are out of the ranges of scene files, of a scene that a program has built.
+/// Returns an error for each value outside of the ranges of scene files, for a scene that a program has
+/// built.
 std::vector<SceneError> valueErrors(Scene scene);
 
 void readDomain(TableReader& reader, Domain& domain);
@@ -74,13 +77,13 @@ void readMaterialName(TableReader& reader, const SceneReading& reading, int plac
                       std::vector<MaterialName>& names, const char* about);
 /// Reads the lists of tables of all terms of the model (core/terms/terms.hpp), such as [[lamp]].
 void readTermTables(TableReader& top, SceneReading& reading);
-/// Reads their keys in [domain].
+/// Reads the keys of all terms in [domain].
 void readTermKeys(TableReader& reader, Domain& domain);
-/// Reads their keys in [numerics].
+/// Reads the keys of all terms in [numerics].
 void readTermKeys(TableReader& reader, Numerics& numerics);
-/// Refuses meaningless combinations of the keys of a material, all of which are read.
+/// Refuses meaningless combinations of the keys of a material. Requires: all of its keys are read.
 void checkTermKeys(TableReader& reader, const Material& material, const Numerics& numerics);
-/// Reads the keys in [material.NAME] of terms that heat, or of the others.
+/// Reads the keys in [material.NAME] of terms of heat if `heat`, else those of all other terms.
 void readTermKeys(TableReader& reader, Material& material, bool heat);
 /// Returns the tables and keys of a term: "[[lamp]]", "material.NAME.absorptivity".
 std::vector<std::string> keysOf(const ModelPart& term);
@@ -100,10 +103,10 @@ void checkCurvature(const Scene& scene, const SourcePlace& where, std::vector<Sc
 void chooseBuoyancy(Scene& scene);
 /// Refuses settings that do not work with rigid materials.
 void checkRigid(const SceneReading& reading, std::vector<SceneError>& errors);
-/// Checks sheets in the same way.
+/// Checks sheets against the rest of the scene.
 void checkSheets(const Scene& scene, std::vector<SceneError>& errors);
-/// Checks events of oriented bodies. Finds the bodies of welds, and refuses those that have no particles left
-/// by then.
+/// Checks events of oriented bodies and finds the other bodies of welds. Refuses events of bodies that an
+/// earlier weld has merged into another body.
 void checkOrientedEvents(SceneReading& reading, std::vector<SceneError>& errors);
 /// Refuses a spacing too fine for any machine, or a domain too large for its cells. Adds one message, with
 /// the number of particles if these are too many.

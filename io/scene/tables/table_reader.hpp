@@ -65,7 +65,7 @@ struct KeyDescription {
   std::string table, key, unit, range;
   std::string standard;  ///< default, or value, as in a scene file; or words for none
   std::string about;
-  std::optional<Restart> restart{};  ///< none: a table, or a key of shapes, which have that of their table
+  std::optional<Restart> restart{};  ///< none for tables, and for keys of shapes, which follow their table
   SourcePlace where{};               ///< table of a recorded key; without a line if unknown
   KeyForm form{};
 };
@@ -94,7 +94,7 @@ class TableReader {
   bool recording() const { return mode_ == Mode::Recording; }
   /// Sets the effect of changes at a restart, for the keys that follow and tables in them.
   void restart(Restart effect) { restart_ = effect; }
-  /// Sets it for the next key alone. Before a table or a list it concerns their presence and order.
+  /// Sets the effect for the next key alone. For a table or a list, it concerns presence and order.
   TableReader& as(Restart effect) { return once_ = effect, *this; }
   /// Describes the default of the next key by `words`, such as a value in another unit. It has no effect on
   /// reading and recording.
@@ -162,7 +162,7 @@ class TableReader {
                          const std::string& value = "none");
   /// Reads a table with read(reader).
   void table(const char* key, const char* about, const std::function<void(TableReader&)>& read);
-  /// Records it only if it is `there`.
+  /// The same, but records the table only if `there` is true.
   void table(const char* key, const char* about, bool there, const std::function<void(TableReader&)>& read);
   /// Reads each table of a list, or a single table, with read(reader, element), and appends the element.
   template<class T, class Read>

@@ -7,8 +7,8 @@
 
 namespace thaw {
 
-/// Exponents of metre, kilogram, second, kelvin and radian. The radian counts, which distinguishes an angular
-/// velocity from a frequency.
+/// Exponents of metre, kilogram, second, kelvin and radian. The radian counts as a dimension, which
+/// distinguishes an angular velocity from a frequency.
 using Dimension = std::array<int, 5>;
 
 /// Error of a text that does not begin with a number.

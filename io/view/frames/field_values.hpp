@@ -16,7 +16,7 @@ struct FieldChoice {
   int part = -1;
 };
 
-/// Returns whether values are labels, as of bodies and ranks. Their order has no meaning.
+/// Returns whether values are labels, such as those of bodies and ranks. Their order has no meaning.
 bool isLabel(const std::string& name, Element element);
 
 /// Returns name, unit, components and whether it is a label, for each field that colours can show.

@@ -13,7 +13,7 @@ struct FrameRequest {
   std::string path;  ///< the file
   PointType type = PointType::Particles;
   FieldChoice field;            ///< left out if the frame lacks it
-  std::uint64_t most = 100000;  ///< points that are drawn, about; vertices of sheets: four times as many
+  std::uint64_t most = 100000;  ///< approximate number of drawn points; four times as many vertices of sheets
 };
 
 /// Returns the packet: `position`, and `normal`, `radius`, `colour`, `triangles`, `lines`, `value` or `label`
@@ -22,8 +22,8 @@ struct FrameRequest {
 /// a file trailer: its checksum detects damage before HDF5 parses it. Throws IoError.
 Packet framePacket(const FrameRequest& request);
 
-/// A frame as read, without rows of non-finite positions. rows: those that framePacket draws, in its order;
-/// one of 2^level.
+/// A frame as read, without rows of non-finite positions. rows: the rows that framePacket draws, in its
+/// order: one of 2^level.
 struct ThinnedFrame {
   FrameData frame;
   std::vector<std::uint32_t> rows;

@@ -12,14 +12,14 @@ namespace thaw {
 struct SurfaceToMesh {
   SurfaceFrame surfels;
   std::vector<std::uint32_t> drawn;  ///< rows of framePacket, in its order
-  std::uint64_t most = 0;            ///< as of FrameRequest
+  std::uint64_t most = 0;            ///< as in FrameRequest
 };
 
 /// Reads a surface. request: the field is ignored. Throws IoError.
 SurfaceToMesh readSurfaceToMesh(const FrameRequest& request);
 
 /// Returns the detail of meshes for the page. Cubes are at least as wide as the radius of a surfel, and wide
-/// enough that the mesh has about `most` vertices, at most 50,000. It then takes well under a second.
+/// enough that the mesh has about `most` vertices, at most 50,000. Meshing then takes well under a second.
 MeshDetail detailForPage(std::size_t surfels, std::uint64_t most);
 
 /// Returns closed meshes of all components: `position`, `normal`, `triangles`, and for each vertex `surfel`:

@@ -15,7 +15,8 @@ inline constexpr double levelStep = 0.5;
 /// level keeps one row in 2^level.
 double thinningLevel(std::uint64_t count, std::uint64_t most);
 
-/// Returns whether a row stays at a level. It is a hash of the id; a row of one level is in all lower ones.
+/// Returns whether a row stays at a level. This depends on a hash of the id. A row that stays at one level
+/// stays at all lower levels.
 bool staysAt(double level, std::uint64_t id);
 
 /// Returns the rows of finite positions that stay, ascending. ids: empty if the frame has none; then the row

@@ -21,8 +21,8 @@ struct PageExport {
 };
 
 /// Writes the page. First reports the expected size and time. To stay within the budget, it leaves out
-/// tensors, frames, particles beside a surface, and points by a hash of their id (thinning.hpp). Warns if
-/// less than a quarter of a mesh's points is left. Throws IoError, also if the budget is too small.
+/// tensors, frames, particles beside a surface, and points by a hash of their id (thinning.hpp). Warns if a
+/// mesh keeps less than a quarter of its points. Throws IoError, also if the budget is too small.
 void exportPage(const PageExport& request);
 
 }  // namespace thaw

@@ -12,7 +12,7 @@ namespace thaw {
 struct BlockRequest {
   std::string path;
   PointType type = PointType::Particles;
-  std::uint64_t most = 100000;  ///< as of FrameRequest
+  std::uint64_t most = 100000;  ///< as in FrameRequest
   double spacing = 0;           ///< m, of particles or surfels: positions are kept to 1/64 of it; 0: unknown
   bool tensors = true;          ///< with fields of six components
 };
@@ -24,8 +24,8 @@ struct FrameBlock {
   std::vector<std::string> tensors;  ///< names of the tensors of the frame
 };
 
-/// Returns the mesh of a surface (mesh_packet.hpp), quantised and compressed. request: most and spacing
-/// count. Throws IoError.
+/// Returns the mesh of a surface (mesh_packet.hpp), quantised and compressed. Uses only path, most and
+/// spacing of the request. Throws IoError.
 std::string meshBlock(const BlockRequest& request, const PeriodicSides& sides);
 
 /// poses: those of the obstacles at the time of the frame, for the header. Throws IoError.

@@ -17,7 +17,8 @@ struct LogRequest {
 
 /// Returns bytes, rows and columns by name. Of a long file every 2^k-th row and the last one are returned. An
 /// incomplete last line is left out, as are columns that the file lacks. Values are numbers, texts, or null
-/// where they are empty or not finite. A file of `known` bytes gives only its size. Throws IoError.
+/// where they are empty or not finite. If the file still has `known` bytes, returns only its size. Throws
+/// IoError.
 nlohmann::ordered_json logRows(const LogRequest& request);
 
 }  // namespace thaw

@@ -12,8 +12,8 @@ inline constexpr const char* stopName = "stop";
 /// one of another host.
 bool mayBeLive(const std::filesystem::path& run);
 
-/// Makes the file for which a run looks (io/run/signals.hpp). Returns why it does not, or "". An existing
-/// file is left as it is.
+/// Creates the stop file, which ends the run (io/run/signals.hpp). Returns why this is not possible, or "".
+/// An existing file is left as it is.
 std::string requestStop(const std::filesystem::path& run);
 
 }  // namespace thaw

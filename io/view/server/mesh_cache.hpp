@@ -16,9 +16,9 @@ class MeshCache {
  public:
   static constexpr std::size_t mostBytes = 100'000'000;
 
-  /// Returns meshPacket under a key. If there is none, it is made in a thread, one at a time. read: reads the
-  /// surface, in the thread of the caller. idle: the thread leaves the processors to all others, such as a
-  /// run on this machine. Throws as they do.
+  /// Returns the meshPacket stored under a key. If there is none, a thread makes it, one packet at a time.
+  /// read: reads the surface, in the thread of the caller. idle: the thread has the lowest priority, so that
+  /// it does not slow a run on this machine. Throws as `read` and meshPacket do.
   std::string packet(const std::string& key, const std::function<SurfaceToMesh()>& read,
                      const PeriodicSides& sides, bool idle);
   std::mutex& making() { return making_; }
