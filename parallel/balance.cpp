@@ -11,7 +11,7 @@ namespace thaw {
 
 namespace {
 
-// Attribution of phases: all particles, particles in sums over liquids, solids.
+// Phases whose time is attributed to all particles, to particles in sums over liquids, and to solids.
 constexpr std::array ofAll{StepPhase::Drift, StepPhase::Sort,    StepPhase::Search,
                            StepPhase::Walls, StepPhase::Contact, StepPhase::Heat};
 constexpr std::array ofLiquids{StepPhase::Density, StepPhase::Forces, StepPhase::Pressure};

@@ -15,7 +15,8 @@ struct WorkMeter {
 double workOf(const PhaseTimes& times);
 
 /// Assigns cells the cost of their liquid and solid particles, from this rank's times since the last call.
-/// The halo then decides on a new partition. Particles move at the next evaluation. Collective.
+/// The halo then makes a new partition if it reduces the imbalance enough. Particles migrate at the next
+/// evaluation. Returns whether a new partition is pending. Collective.
 bool balance(World& world, CellHalo& halo, StepTools& tools, WorkMeter& meter);
 
 }  // namespace thaw

@@ -17,7 +17,7 @@ std::vector<Message> MpiBondHalo::exchange(const std::vector<Message>& out, int 
   return sparseExchange(comm_, out, kind, MessagesFor::BondEdits);
 }
 
-/// Bitwise or over all ranks.
+/// Returns the bitwise or over all ranks.
 int MpiBondHalo::anyRank(int bits) const {
   const WaitMark waiting(comm_, MessagesFor::Reduction);
   MPI_Allreduce(MPI_IN_PLACE, &bits, 1, MPI_INT, MPI_BOR, comm_.handle());
@@ -174,8 +174,8 @@ void MpiBondHalo::makeSolids(const SolidTables& t, const BondUpdate& work) {
     most = std::max(most, view.bonds.size());
   }
   most = std::max({most, graph_.largestBondCount(work.requests), graph_.largestBondCount(work.pairs)});
-  // If later parts of a start need little more, all capacity is reserved at once: each increase reallocates
-  // all bonds.
+  // If later parts of a start need little more, reserve all capacity at once: each increase reallocates all
+  // bonds.
   constexpr int little = 4;
   if (work.mostToCome > t.bonds.capacity && work.mostToCome <= static_cast<int>(most + 3) / 4 * 4 + little)
     most = std::max<std::size_t>(most, static_cast<std::size_t>(work.mostToCome));

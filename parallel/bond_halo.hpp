@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // BondHalo over MPI. A rank that sends a solid particle away notifies the ranks that hold copies. The cost of
-// following a body is thus that of its motion. A directory distributed over the ranks stores the owner of
-// every solid particle, for ranks without a copy. Also works on one rank, without messages.
+// tracking owners is thus proportional to the number of migrations. A directory distributed over the ranks
+// stores the owner of every solid particle, for ranks without a copy. Also works on one rank, without
+// messages.
 #pragma once
 #include <cstdint>
 #include <vector>

@@ -110,7 +110,7 @@ Migration MpiCellHalo::migrate(Table& p, std::span<const std::uint64_t> keys) {
     std::size_t row = before;
     for (const Message& x : receiveBuffer_.messages())
       for (std::size_t at = 0; at < x.bytes.size(); at += bytes) p.unpackState(row++, x.bytes.data() + at);
-    // A solid is an index into tables of the old owner.
+    // solid_index refers to a table of the old owner.
     if (AnyColumn* solidIndex = p.find("solid_index"); solidIndex != nullptr && solidIndex->active)
       std::fill_n(reinterpret_cast<std::uint32_t*>(solidIndex->bytes.data()) + before, m.arrivals, noSolid);
   }
@@ -254,7 +254,7 @@ void MpiCellHalo::finishRefresh(Table&) {
 }
 
 // Costs are measured times. They are converted to integers of a common unit, so that all ranks compute the
-// same sums and decide alike.
+// same sums and the same partition.
 bool MpiCellHalo::rebalance(const CellTable& cells, std::span<const double> cost, bool force) {
   if (comm_.size() == 1) return false;
   const auto usable = [](double c) { return c > 0 && c < std::numeric_limits<double>::max() ? c : 0.0; };

@@ -11,9 +11,9 @@
 namespace thaw {
 
 struct BalanceRule {
-  double threshold = 1.05;  ///< largest over mean cost above which a new partition is computed
-  double gain = 0.97;       ///< a new partition is used if its imbalance is below this times the present one
-  int pause = 3;            ///< calls skipped after a new partition was computed, unless it was forced
+  double threshold = 1.05;  ///< ratio of largest to mean cost above which a new partition is computed
+  double gain = 0.97;  ///< a new partition is used if its imbalance is below this fraction of the present one
+  int pause = 3;       ///< calls skipped after a new partition was computed, unless it was forced
 };
 
 class MpiCellHalo : public CellHalo {
@@ -35,8 +35,8 @@ class MpiCellHalo : public CellHalo {
   bool inner(std::uint64_t key) const override { return innerCell(grid_, box_, cellOfKey(key)); }
 
   const std::vector<CellBox>& boxes() const { return partition_.boxes(); }
-  /// Largest over mean cost at the last call of rebalance, 1 before; after a change that of the new
-  /// partition.
+  /// Returns the ratio of largest to mean cost at the last call of rebalance, for the partition in use after
+  /// it. It is 1 before the first call.
   double imbalance() const { return imbalance_; }
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Communication statistics of a rank: messages by purpose, and waiting time. The communicator, which all
-// halos share, counts them at the cost of a few additions per message.
+// Communication statistics of a rank: messages by purpose, and waiting time. All halos share one
+// communicator, which counts messages at the cost of a few additions each.
 #pragma once
 #include <array>
 #include <cstddef>

@@ -66,9 +66,9 @@ void weightBelow(const Group& g, const std::vector<WeightedCell>& cells, const V
   g.all->statistics().collectives++;
 }
 
-// Finds for each axis the plane that splits the weight best, by bisection of its position. Each level takes
-// one small reduction for all axes, for any length of the grid. Then selects the axis with the least work,
-// ghosts included, in the larger part.
+// For each axis, finds the plane that splits the weight best, by bisection of its position. Each level takes
+// one small reduction for all axes, for any length of the grid. Then selects the axis whose larger part has
+// the least work, ghosts included.
 Cut findCut(const Group& g, const std::vector<WeightedCell>& cells) {
   const int left = leftOf(g.count);
   const Occupied o = occupied(g, cells);

@@ -16,10 +16,10 @@ struct WeightedCell {
   std::int64_t weight;
 };
 
-/// Bisects the grid among all ranks such that the weights (> 0) are as even as whole planes of cells allow.
+/// Bisects the grid among all ranks such that the weights (> 0) are as equal as whole planes of cells allow.
 /// Each rank contributes any subset of the occupied cells; weights of a cell from several ranks are summed.
-/// Cells move level by level to the half that will own them. ownWeight: resulting weight of
-/// this rank. Without cells, boxes have about equal size. Returns the boxes of all ranks. Collective.
+/// Cells move level by level to the half that will own them. ownWeight: resulting weight of this rank.
+/// Without cells, boxes have about equal size. Returns the boxes of all ranks. Collective.
 std::vector<CellBox> bisect(const Communicator& comm, const CellGrid& grid, std::vector<WeightedCell> cells,
                             std::int64_t* ownWeight = nullptr);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Messages of any size to a few ranks, without known numbers of messages to receive (NBX: HSL10).
+// Messages of any size to a few ranks. The number of messages to receive is not known (NBX: HSL10).
 #pragma once
 #include <cstddef>
 #include <span>
@@ -32,7 +32,7 @@ class ReceiveBuffer {
 };
 
 /// Sends each non-empty message; `in` receives all incoming ones, ascending by sender (several from one
-/// sender in sending order). Messages to the own rank are allowed. kind: a distinct number per use, equal on
+/// sender in sending order). A rank may send messages to itself. kind: a distinct number per use, equal on
 /// all ranks. Messages may have any length. Those longer than Communicator::chunk are sent in chunks; a full
 /// chunk is always followed by another one, which may be empty. Collective over the communicator.
 void sparseExchange(const Communicator& comm, std::span<const Message> out, ReceiveBuffer& in, int kind,
