@@ -9,7 +9,7 @@ from types import ModuleType
 
 
 def core() -> ModuleType:
-    """The module thaw._core. Raises ImportError with the way to get it."""
+    """The module thaw._core. Raises ImportError with instructions to build it."""
     try:
         import mpi4py.MPI  # noqa: F401  starts MPI, so that its communicators can be used
     except ImportError:

@@ -79,7 +79,7 @@ def fieldsIn(file: h5py.File) -> Dict[str, Field]:
 
 
 def newestCheckpoint(run: str) -> Tuple[Optional[Checkpoint], List[str]]:
-    """The newest readable checkpoint of a run's folder, and what is wrong with the others."""
+    """The newest readable checkpoint of a run's folder, and the errors of the others."""
     found: List[Checkpoint] = []
     problems: List[str] = []
     for name in ('a.hdf', 'b.hdf'):

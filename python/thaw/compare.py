@@ -42,7 +42,7 @@ class Comparison:
 
     @property
     def equal(self) -> bool:
-        """Whether all bits are equal, or with a tolerance, all differences are within it."""
+        """Whether all bits are equal or, with a tolerance, all differences are within the tolerance."""
         fields = all(f.equal for f in self.fields.values())
         return not self.general and fields and all(f.equal for f in self.frames)
 
@@ -61,7 +61,7 @@ Matches = Tuple[np.ndarray, np.ndarray]  # rows of A and rows of B
 
 
 def sortedIds(ids: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
-    """Rows ascending by id, and which occurrence of its id each of them is: 0 without duplicates."""
+    """Rows ascending by id, and for each row the number of earlier rows with its id: 0 without duplicates."""
     order = np.argsort(ids, kind='stable')
     first = np.searchsorted(ids[order], ids[order])
     return order, np.arange(len(ids)) - first
@@ -106,7 +106,7 @@ def commonColumns(
 
 
 def differ(x: np.ndarray, y: np.ndarray, allowed: Optional[float]) -> Tuple[np.ndarray, np.ndarray]:
-    """For each value: whether it differs, and |x - y|, with NaN equal to NaN alone."""
+    """For each value: whether it differs, and |x - y|. NaN equals NaN only."""
     bits = f'u{x.dtype.itemsize}'
     different = x.view(bits) != y.view(bits)
     with np.errstate(invalid='ignore', over='ignore'):
@@ -127,7 +127,7 @@ def scaleOf(arrays: Tuple[np.ndarray, ...]) -> float:
 
 @dataclasses.dataclass
 class Pair:
-    """Both sides, what is allowed, and where the result goes."""
+    """Both sides, the tolerance, and the result."""
 
     a: Snapshot
     b: Snapshot

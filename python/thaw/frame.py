@@ -36,12 +36,12 @@ class Surface(Points):
     def mesh(self, cell: Optional[float] = None) -> Mesh:
         """Closed triangle meshes of all components.
 
-        cell: edge of the cubes of the mesh's grid, over the mean radius of the surfels. Without it, a mesh
-        that `thaw export --as ply` has left in the run's folder export/ is read, else 1 is used.
+        cell: edge of the cubes of the mesh's grid, in mean radii of the surfels. Default: reads a mesh that
+        `thaw export --as ply` has left in the run's folder export/; if there is none, uses 1.
 
-        The compiled part of the package makes the mesh. Without it, and where THAW_PROGRAM is set, the
-        program thaw does: that of THAW_PROGRAM, else that on PATH. Raises ProgramError if there is none, or
-        if it fails.
+        The compiled part of the package makes the mesh. Without it, or if THAW_PROGRAM is set, the program
+        thaw makes it: the one that THAW_PROGRAM names, else the one on PATH. Raises ProgramError if there is
+        no program, or if it fails.
         """
         return exportedElse(surfaceMesh, self.path, cell)
 
@@ -55,8 +55,8 @@ class Oriented(BodyPoints):
     def mesh(self) -> Mesh:
         """Triangles of surfaces and lines of curves, with the ids of the particles at their vertices.
 
-        As for `Surface.mesh`, an exported mesh is read. Else the program thaw makes it, that of THAW_PROGRAM
-        or on PATH.
+        As for `Surface.mesh`, an exported mesh is read. If there is none, the program thaw makes the mesh:
+        the one that THAW_PROGRAM names, else the one on PATH.
         """
         return exportedElse(makeMesh, self.path, None)
 
@@ -108,7 +108,7 @@ Part = TypeVar('Part', bound=Points)
 class Frame(BodyPoints):
     """Particles of a frame, and its surface, sheets and oriented particles.
 
-    `frame['temperature']` is an array of the particles; `frame.surface['normal']` one of the surfels.
+    `frame['temperature']` is an array over the particles; `frame.surface['normal']` is one over the surfels.
     A scene without bodies and emitters has frames without particles: `len(frame)` is 0.
     """
 

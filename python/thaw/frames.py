@@ -48,7 +48,7 @@ class Frames(Sequence[Frame]):
         return Frame(self._folder, self._name, entry.number, entry.time)
 
     def at(self, time: float) -> Frame:
-        """The frame nearest to a time in s; of two equally near, the earlier.
+        """The frame nearest to a time in s. Of two equally near frames, the earlier one.
 
         Raises MissingError if there are no frames.
         """

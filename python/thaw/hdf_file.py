@@ -63,7 +63,7 @@ def checksumOfRows(rows: np.ndarray) -> int:
 
 
 class Trailer:
-    """Checksum at the end of a file, over all that HDF5 parses (io/hdf5/file_trailer.hpp)."""
+    """Checksum at the end of a file, over everything that HDF5 parses (io/hdf5/file_trailer.hpp)."""
 
     def __init__(self, path: str, fd: int) -> None:
         self.path, self.fd, self.size = path, fd, os.fstat(fd).st_size
@@ -121,7 +121,7 @@ class HdfFile:
     def open(self) -> Iterator[h5py.File]:
         """Opens the file for the duration of a `with`. Any failure becomes a FileError."""
         try:
-            import h5py  # simulations do without it
+            import h5py  # simulations do not need it
         except ImportError:
             raise ImportError(
                 "results are read with h5py (Debian: python3-h5py), which is not installed"

@@ -55,7 +55,7 @@ def wholeOf(values: np.ndarray) -> np.ndarray:
 
 
 def readRows(path: str) -> Tuple[List[str], List[List[str]]]:
-    """Header and complete rows. A last line without its end is left out: it is being written."""
+    """Header and complete rows. Leaves out a last line without a line break, which is still being written."""
     try:
         with open(path, encoding='utf-8', errors='replace', newline='') as file:
             text = file.read()

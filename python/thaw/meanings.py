@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Meaning of the fields of frames, by kind of points (docs/reference/files.md).
 
-Fields of extensions have theirs in the file.
+The meanings of fields of extensions are in the file.
 """
 from __future__ import annotations
 

@@ -126,7 +126,7 @@ def exportedMesh(frame: str) -> Optional[str]:
 
 
 def findProgram(purpose: str = '') -> str:
-    """Path of the program thaw: that of the environment variable THAW_PROGRAM, else that on PATH."""
+    """Path of the program thaw: the environment variable THAW_PROGRAM, else the one on PATH."""
     given = os.environ.get('THAW_PROGRAM')
     found = shutil.which(given or 'thaw')
     if found:
@@ -142,7 +142,7 @@ def findProgram(purpose: str = '') -> str:
 
 
 def surfaceMesh(frame: str, cell: Optional[float]) -> Mesh:
-    """Meshes of a frame of surfels by the compiled part, where it is there and THAW_PROGRAM is not set."""
+    """Meshes of a frame of surfels by the compiled part, if it is available and THAW_PROGRAM is not set."""
     if os.environ.get('THAW_PROGRAM'):
         return makeMesh(frame, cell)
     try:

@@ -93,7 +93,7 @@ class DrivenObstacle:
 
 
 class Obstacles(Mapping):
-    """Obstacles of a simulation by name. The first access to one turns on the measurement of its load.
+    """Obstacles of a simulation by name. The first access to an obstacle starts the measurement of its load.
 
     Raises KeyError for an unknown name. Raises ValueError for static obstacles (give them
     `motion = [{ time = 0 }]`) and for obstacles shorter than a periodic domain. Raises it also in scenes with

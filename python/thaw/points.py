@@ -155,7 +155,7 @@ class Points:
     def by_id(self, name: str) -> np.ndarray:
         """Values of a field, ascending by id. Shape and unit are those of the field.
 
-        Arrays of two frames match row by row where both have the same ids. Where points enter or leave, use
+        Arrays of two frames match row by row if both frames have the same ids. If points enter or leave, use
         `match`.
         """
         return self[name][self.order]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The rows of a table on one rank, as arrays over the simulation's own memory."""
+"""The rows of a table on one rank, as arrays in the simulation's own memory."""
 
 from __future__ import annotations
 

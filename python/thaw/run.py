@@ -63,7 +63,7 @@ class Run:
 
     @property
     def name(self) -> str:
-        """Name of the scene: of its file without .toml. Empty before the first frame or checkpoint."""
+        """Name of the scene: its file name without .toml. Empty before the first frame or checkpoint."""
         if not self._name and self._checkpoint() is not None:
             self._name = self.checkpoint.scene_name
         return self._name
@@ -150,7 +150,7 @@ class Run:
         other: a run, or the path of its folder.
         tolerance: None compares bits. Otherwise floating-point values may differ by this times the largest
         magnitude of their field; whole numbers must be equal.
-        frames: compares all frames too. Frames of one run only are differences.
+        frames: compares all frames too. Frames that only one run has are differences.
         Raises MissingError if a run has no checkpoint, FileError if a file is damaged.
         """
         if not isinstance(other, Run):
@@ -185,9 +185,9 @@ def noFolder(path: str) -> str:
 
 
 def openRun(path: 'str | os.PathLike[str]', scene: Optional[str] = None) -> Run:
-    """Opens the folder of a run, such as out/melt: finished, still running, or with a checkpoint alone.
+    """Opens the folder of a run, such as out/melt: finished, still running, or with only a checkpoint.
 
-    scene: name of the scene, for a folder that has frames of several.
+    scene: name of the scene, for a folder with frames of several scenes.
     Raises FileError if the folder is missing or has no results of thaw.
     """
     return Run(os.fspath(path), scene)

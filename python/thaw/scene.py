@@ -102,7 +102,7 @@ class Scene(metaclass=_Completed):
 
     @classmethod
     def of(cls, scene: Union[str, "Scene", Mapping[str, Any]]) -> "Scene":
-        """The scene itself, or one made of a file or a dict of keys."""
+        """The scene itself, or a scene made from a file or a dict of keys."""
         if scene is None:
             raise TypeError("scene: expected a path, got None")
         return scene if isinstance(scene, Scene) else cls(scene)
@@ -158,8 +158,8 @@ class Scene(metaclass=_Completed):
 
         ranks: number of ranks for the estimates of memory and time; 0: one.
 
-        Keys of registered extensions are accepted. Not collective: each rank checks by itself. Exceptions of
-        extension functions are raised.
+        Keys of registered extensions are accepted. Not collective: each rank checks by itself. Raises the
+        exceptions of extension functions.
         """
         overrides = [f"{key}={self.toml_value(value)}" for key, value in self.overrides.items()]
         if self.keys is None:
@@ -183,7 +183,7 @@ class Scene(metaclass=_Completed):
 
     @staticmethod
     def toml_value(value: Any) -> str:
-        """A value in TOML. numpy arrays and numbers are taken like lists and numbers."""
+        """A value in TOML. Treats numpy arrays and numbers as lists and numbers."""
         if hasattr(value, "tolist"):
             value = value.tolist()
         if isinstance(value, bool):
@@ -215,7 +215,7 @@ def _report(path: str, overrides: list[str], ranks: int, name: Optional[str] = N
 
 
 def _place(table: Any, part: str, key: str) -> Any:
-    """Returns the key of a table, or the number of an entry of a list that `part` names."""
+    """Returns the key of a table, or the index of a list entry, that `part` names."""
     if isinstance(table, Mapping):
         if part in table:
             return part

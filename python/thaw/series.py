@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which frames a run has: from the indices NAME.hdf.series, else from the names of the files."""
+"""The list of frames of a run, from the indices NAME.hdf.series, else from the names of the files."""
 from __future__ import annotations
 
 import json
@@ -35,7 +35,7 @@ def readIndex(path: str) -> Dict[int, float]:
 
 
 def stemsIn(names: List[str]) -> Dict[str, Set[int]]:
-    """Names of frame files without their number, with the numbers there are."""
+    """Names of frame files without their numbers, each with the numbers of its files."""
     stems: Dict[str, Set[int]] = {}
     for name in names:
         match = FRAME.fullmatch(name)
@@ -45,7 +45,7 @@ def stemsIn(names: List[str]) -> Dict[str, Set[int]]:
 
 
 def sceneNameOf(folder: str, stem: str, numbers: Set[int]) -> str:
-    """Name of the scene: as a readable file has it, else without the suffix of its kind."""
+    """Name of the scene: from a readable file, else the file name without the suffix of its kind."""
     for number in sorted(numbers, reverse=True):
         try:
             return readHead(HdfFile(os.path.join(folder, f'{stem}_{number:06}.hdf')), '').scene_name
@@ -55,7 +55,7 @@ def sceneNameOf(folder: str, stem: str, numbers: Set[int]) -> str:
 
 
 def timesOf(folder: str, stem: str, numbers: Set[int], problems: List[str]) -> Dict[int, float]:
-    """Numbers and times of the frames of a stem, of those that are on disk."""
+    """Numbers and times of the frames of a stem that are on disk."""
     try:
         listed = readIndex(os.path.join(folder, stem + INDEX))
         return {n: t for n, t in listed.items() if n in numbers}
@@ -70,7 +70,7 @@ def timesOf(folder: str, stem: str, numbers: Set[int], problems: List[str]) -> D
 
 
 def isComplete(folder: str, name: str, kinds: List[str], number: int) -> str:
-    """Returns an empty text for a frame with all of its files, else what is wrong."""
+    """Returns an empty text for a frame with all of its files, else the error."""
     for kind in kinds:
         path = frameFile(folder, name, kind, number)
         try:

@@ -18,7 +18,7 @@ def interrupt(number: int, frame: Any) -> None:
 class StopSignals:
     """Within `with`, the signals NAMES raise KeyboardInterrupt, unless the program handles them.
 
-    always: already from the construction on. Several ranks need this, since signals may arrive between steps.
+    always: from the construction on. Several ranks need this, since signals may arrive between steps.
     """
 
     def __init__(self, always: bool):

@@ -37,7 +37,7 @@ class Simulation:
 
     scene: a path, a thaw.Scene, or a dict of its keys.
     out: folder for frames, checkpoints and the summary; None: nothing is written.
-    comm: an mpi4py communicator; None: all ranks. All ranks of it call all methods in the same order.
+    comm: an mpi4py communicator; None: all ranks. All of its ranks call all methods in the same order.
     restart: continue from the checkpoint in `out`, which must exist.
     resume: continue from the checkpoint in `out` if there is one.
     force: take over the folder from a run of another host.
@@ -142,7 +142,7 @@ class Simulation:
 
     @contextlib.contextmanager
     def _stepping(self) -> Iterator[None]:
-        """Keeps the failure of a simulation, which has no valid state until restore()."""
+        """Stores the failure of a simulation, which has no valid state until restore()."""
         if self._failure is not None:
             raise BlewUp(self._failure)
         try:
@@ -159,8 +159,8 @@ class Simulation:
         Ctrl-C, SIGTERM, SIGUSR1 and SIGUSR2 end the run after the current step on all ranks. With a folder
         they write a checkpoint. They raise KeyboardInterrupt, and the simulation can go on. Exceptions of
         functions are raised as by step(). `until` may lie beyond the end of the scene. Raises ValueError for
-        a time that has passed. Raises BlewUp where the retries of a step are used up, then and in all later
-        calls until restore().
+        a time that has passed. Raises BlewUp if the retries of a step are used up. All later calls then raise
+        it until restore().
         """
         if until is not None and not arguments.number("until", until) >= self.time:
             raise ValueError(
@@ -204,7 +204,7 @@ class Simulation:
         return self._core.stop_reason
 
     def request_stop(self) -> None:
-        """Requests that all ranks stop after the next step. One rank suffices."""
+        """Requests that all ranks stop after the next step. It suffices to call it on one rank."""
         self._core.request_stop()
 
     def resume(self) -> None:
@@ -291,10 +291,10 @@ class Simulation:
     def ledger(self) -> dict[str, float]:
         """Energies (J), mass (kg), momentum (kg m/s), heat (J) and their residuals over all ranks, now.
 
-        All ranks read it, also where one of them prints it.
-        Names are those of history, where vectors have the keys momentum_x, momentum_y, momentum_z.
-        outside_work is wall_work: work of walls and of the program. entered_... and left_... are sums over
-        particles that entered through openings and left through open sides.
+        All ranks must read it, even if only one of them prints it.
+        Names are those of history; vectors have the keys momentum_x, momentum_y, momentum_z.
+        outside_work and wall_work are both the work of walls and of the program. entered_... and left_... are
+        sums over particles that entered through openings and left through open sides.
         """
         return self._core.ledger()
 
@@ -302,8 +302,8 @@ class Simulation:
     def history(self) -> Log:
         """The ledger over time: columns by name, as in `thaw.open(out).ledger`, such as history["kinetic"].
 
-        Rows are those of the start, of each frame, of each output.ledger_every, and of the end. After a
-        restart they begin at the first of these times.
+        There is a row for the start, each frame, each output.ledger_every, and the end. After a restart,
+        rows begin at the first of these times.
         """
         names, rows = self._core.history()
         return Log.ofColumns("the history of the simulation", names, list(rows.T))
@@ -319,7 +319,7 @@ class Simulation:
     ) -> Picture:
         """Returns a picture of the current points, which notebooks show. All ranks call it.
 
-        field: of particles, for their colours; default: "temperature" with heat, else the speed.
+        field: field of particles for their colours; default: "temperature" with heat, else the speed.
         size: width and height in pixels.
         limits: lowest and highest value of the colours.
         eye, at: points that give the direction of the view, m.
@@ -351,7 +351,7 @@ class Simulation:
 
     @property
     def obstacles(self) -> Obstacles:
-        """Obstacles by name, which the program may move and whose loads it may read. See DrivenObstacle."""
+        """Obstacles by name. The program may move them and read their loads. See DrivenObstacle."""
         if self._obstacles is None:
             self._obstacles = Obstacles(self._core, core().obstacle_names(self._core))
         return self._obstacles
@@ -398,7 +398,7 @@ class Simulation:
         phase: "predict" (half kick, drift), "redistribute" (emission, migration, sort), "density", "forces",
         "integrate" (second half kick), "phase_change" (heat, melting) or "end_of_step" (next dt known).
 
-        t is the time of the last complete step, s; after "end_of_step" that of this one. Arrays are
+        t is the time of the last complete step, s; after "end_of_step", the time of this step. Arrays are
         read-only, except for fields of extensions. Raises ValueError for an unknown phase.
         """
 
@@ -424,9 +424,10 @@ class Simulation:
     def add_force(self, force: Callable[[Rows, float], Any]) -> None:
         """Adds a force: force(p, t) returns newtons of shape (n, 3) for the n particles p of this rank.
 
-        It is called now, except after a restart, and once a step at the positions at time t (s). If it
-        raises an exception now, it is not added. Its work and impulse are in the ledger. For the same bits on
-        any number of ranks, a particle's force must follow from its own fields and t alone.
+        It is called at once, except after a restart, and then once a step at the positions at time t (s). If
+        the first call raises an exception, the force is not added. Its work and impulse are in the ledger.
+        For the same bits on any number of ranks, a particle's force must follow from its own fields and t
+        alone.
         The automatic sound speed of liquids does not include it: set material.NAME.sound_speed, ten times
         the largest speed of the flow.
         """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What `thaw compare` compares of a frame or a checkpoint (io/compare/snapshot.hpp)."""
+"""The data of a frame or a checkpoint that `thaw compare` compares (io/compare/snapshot.hpp)."""
 from __future__ import annotations
 
 from typing import Any, Callable, Dict, List, NamedTuple, Optional

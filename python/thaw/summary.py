@@ -41,7 +41,7 @@ def readSummary(path: str) -> Summary:
 
 
 def isLive(lock: str) -> Optional[bool]:
-    """Whether the process that a lock names still runs; None if that cannot be known on this host."""
+    """Whether the process that a lock names still runs; None if this host cannot determine it."""
     try:
         with open(lock, encoding='utf-8') as file:
             holder = json.load(file)

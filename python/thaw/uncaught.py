@@ -13,14 +13,14 @@ from typing import Any, Callable, Optional
 
 from .errors import BlewUp, SceneError
 
-# Raised on all ranks: by a scene that is refused, a simulation that blows up, and a signal to mpirun.
+# Raised on all ranks: for a refused scene, a simulation that blows up, and a signal to mpirun.
 RAISED_ON_ALL = (BlewUp, SceneError, KeyboardInterrupt)
 
 _installed = False
 
 
 def end_all_ranks_on_exceptions(abort: Callable[[], Any]) -> None:
-    """Calls `abort` after the report of an exception that ends the script. Further calls change nothing."""
+    """Calls `abort` after the report of an exception that ends the script. Further calls have no effect."""
     global _installed
     if _installed:
         return

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Version of the package: that of CMakeLists.txt, written into the package when it is installed."""
+"""Version of the package, from CMakeLists.txt. It is written into the package when that is installed."""
 from __future__ import annotations
 
 import pathlib
