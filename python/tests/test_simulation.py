@@ -159,8 +159,8 @@ def test_arrays_end_with_their_block():
     assert all(len(own) == len(before) for own in copies)  # these are the program's own
     assert all((own == own).all() for own in copies)
     assert repr(position) == '<array of a block that has ended>'
-    assert np.array_equal(np.asarray(position), copies[0])  # the buffer itself
-    plain[:] = 5  # changes no more than this array
+    assert np.array_equal(np.asarray(position), copies[0])  # conversions read the buffer itself
+    plain[:] = 5  # changes only this array
     assert np.all(sim.gather('velocity') == 0) and sim.ledger['momentum_x'] == 0
     assert sim.step()
     assert np.array_equal(before, np.zeros_like(before)) and (plain == 5).all()
@@ -396,7 +396,7 @@ def expected(error, text):
 def test_errors_of_functions_end_the_run_on_all_ranks():
     sim = thaw.Simulation(drop())
     sim.on_step(raising(sim, 3, KeyError('mine')))
-    sim.on_step(lambda s: s.ledger)  # all ranks meet
+    sim.on_step(lambda s: s.ledger)  # a collective call on all ranks
     with expected(KeyError, 'mine'):
         sim.run()
     assert sim.steps == 3 and not sim.stopped
@@ -450,7 +450,7 @@ def test_errors_of_forces_are_raised():
     sim = thaw.Simulation(drop())
     with pytest.raises(AttributeError, match="no field 'colour'"):
         sim.add_force(lambda p, t: p.colour)
-    sim.run(steps=2)  # the force is not there
+    sim.run(steps=2)  # the force was not added
     sim.add_force(raising(sim, 4, ZeroDivisionError('late')))
     with expected(ZeroDivisionError, 'late'):
         sim.run(steps=9)

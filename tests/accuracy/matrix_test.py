@@ -19,7 +19,8 @@ import frontier  # noqa: E402
 import matrix  # noqa: E402
 import plan  # noqa: E402
 
-# The stand-in is of second order in the spacing and logs every call. It refuses the case named in REFUSED.
+# The stand-in for the program has errors of second order in the spacing, and logs every call. It refuses the
+# case named in REFUSED.
 STAND_IN = """#!/usr/bin/env python3
 import os, sys
 case, rest = sys.argv[1], sys.argv[2:]

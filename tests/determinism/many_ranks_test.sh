@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The same bits on many more ranks than cores, and than some scenes have cells: a liquid, a solid, melting
+# The same bits on many more ranks than there are cores, or cells in some scenes: a liquid, a solid, melting
 # with a surface, oriented particles, a sheet. The default is 16 ranks and few steps. RANKS="16 32 64"
 # STEPS=40 takes some minutes (docs/theory/parallel.md). SCENES selects scenes.
 . "$(dirname "$0")/../support/run.sh"

@@ -64,7 +64,7 @@ for which in ${SCENES:-$known}; do
 $(value "$work/retry.1/summary.json" step) steps"
       ;;
     contact) try contact "$work/contact.toml" 150 ;;
-    blow)  # stiff, heavy and fast on a light surface: the contact barrier, and steps that follow it
+    blow)  # a stiff, heavy and fast block on a light surface: the contact barrier and its step limit
       try blow "$work/blow.toml" 150 --set material.jelly.density=1000 --set material.jelly.young=1e5 \
         --set oriented.net.density=1 --set oriented.net.stiffness=10 --set body.block.velocity=[0.2,0,-2] \
         --set body.block.place.move=[0.02,0,0.075]
@@ -83,8 +83,8 @@ $(value "$work/retry.1/summary.json" step) steps"
           fail "a block in a surface: the warnings on 1 and $ranks ranks differ"
       done
       cat "$work/interpenetration.1.warnings" ;;
-    # the block turns in contact, so that its rows change order in steps whose contacts read the last step's
-    # data
+    # the block rotates in contact, so its rows change order in steps whose contacts read data of the last
+    # step
     tumbling)
       try tumbling "$work/tumbling.toml" 150 --set body.block.velocity=[0.6,0.3,-1] \
         --set body.block.spin=[9,12,6] --set body.block.box.size=[0.16,0.16,0.16] \

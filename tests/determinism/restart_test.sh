@@ -13,7 +13,7 @@ for scene in ${SCENES:-melt pour together}; do
   run 2 whole --steps "$steps" || { fail "$scene: exit $?"; tail -n 5 "$work/log"; continue; }
   run 3 parts --steps "$third" || { fail "$scene, first part: exit $?"; tail -n 5 "$work/log"; continue; }
   before=$(frameSums "$work/parts" "$scene")
-  # a checkpoint every 0.2 s of wall-clock time; the kill interrupts whatever runs
+  # a checkpoint every 0.2 s of wall-clock time; the kill comes at any moment
   launchInBackground 2 run "$scenes/$scene.toml" "${set[@]}" --set output.checkpoint=0.2 --steps 1000000 \
     --resume --out "$work/parts" >"$work/log" 2>&1
   sleep 1.5

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# A failure that no step prevents: a block falls faster than the stability monitor allows. The run stops
+# A failure that occurs with any step: a block falls faster than the stability monitor allows. The run stops
 # within the number of retries, however close the snapshots come to the failure. It has the same bits on any
 # number of ranks, and when it is stopped between two retries.
 . "$(dirname "$0")/../support/run.sh"
@@ -55,7 +55,7 @@ mv "$work/fall.parts" "$work/parts"
 run 4 parts --set numerics.retries=3 --resume; expectExit 4 "in parts"
 ended parts 3 "in parts"
 [ "$(message)" = "$expected" ] || fail "in parts: $(message)"
-# its last checkpoint is that of its last stop
+# the last checkpoint is that of the last stop
 "$thaw" compare --frames "$work/one" "$work/parts" >"$work/log" 2>&1
 expectMessage '^frames: [1-9][0-9]* in both, equal' "whole and in parts"
 

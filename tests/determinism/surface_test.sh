@@ -296,7 +296,7 @@ for which in $wanted; do
           }
           END { exit bad > 0 || NR != 7 }' ||
         fail "across periodic sides bodies are not as in the middle"
-      try straddle "$work/straddle.toml" 600 ;;  # the last, since it moves the scene
+      try straddle "$work/straddle.toml" 600 ;;  # runs last, since it moves the scene
     crescent) try crescent "$work/crescent.toml" 100 ;;
     drops) try drops "$work/drops.toml" 150 ;;
     freeze)

@@ -188,7 +188,7 @@ TEST(Compare, FieldsInOneFileOnly) {
   if (rankOf() != 0) return;
   const Comparison c = compareSnapshots(openSnapshot(folder.path + "/a.hdf"),
                                         openSnapshot(folder.path + "/b.hdf"), {});
-  ASSERT_EQ(c.general.size(), 1u);  // the rank is no field of the comparison
+  ASSERT_EQ(c.general.size(), 1u);  // the field `rank` is not compared
   EXPECT_EQ(c.general[0], "particles: field temperature is in B only");
   EXPECT_TRUE(c.fields.empty());
 }
@@ -234,7 +234,7 @@ TEST(Compare, TruncatedAndDamagedFilesAreErrorsNotCrashes) {
     };
     for (std::size_t n = 1; n < 40; n++) attempt(whole.substr(0, whole.size() * n / 40));
     EXPECT_GT(errors, 0);
-    EXPECT_EQ(read, 0);                       // no truncated file passes
+    EXPECT_EQ(read, 0);                       // every truncated file is refused
     for (std::uint64_t n = 0; n < 60; n++) {  // bytes of the first part, where HDF5 stores its metadata
       std::string bytes = whole;
       bytes[static_cast<std::size_t>((hashed(n) + 0.5) * 4096)] ^= static_cast<char>(1u << (n % 8));

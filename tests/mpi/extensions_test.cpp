@@ -149,7 +149,7 @@ std::map<std::uint64_t, std::vector<double>> stateOf(const Simulation& sim) {
   return state;
 }
 
-/// The same for the particles of all ranks, on each rank: balance moves cells between runs. Collective.
+/// The same for the particles of all ranks, on each rank, since partitions differ between runs. Collective.
 std::map<std::uint64_t, std::vector<double>> wholeStateOf(const Simulation& sim) {
   std::vector<double> mine, all;
   for (const auto& [id, row] : stateOf(sim)) {
@@ -392,7 +392,7 @@ TEST(ExtensionLaws, CopyOfNeoHookeanEqualsTheBuiltIn) {
   }
 }
 
-/// A copy of the Neo-Hookean law and the precision of bonds in which it has the bits of the library.
+/// A copy of the Neo-Hookean law, with the precision of bonds for which it gives the bits of the library.
 struct LawCopy {
   std::string name, numerics;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `thaw check` tries settings on a scene before it recommends them. All ranks find the same answer.
+// `thaw check` tries settings on a scene before it recommends them. All ranks get the same result.
 #include <gtest/gtest.h>
 
 #include <fstream>

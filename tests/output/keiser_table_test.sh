@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# benchmarks/keiser prints its table also for runs that --seconds stops: a row of the paper and one of thaw
+# benchmarks/keiser also prints its table for runs that --seconds stops: a row of the paper and a row of thaw
 # per scene.
 . "$(dirname "$0")/../support/run.sh"
 export THAW_BUILD=$build

@@ -18,7 +18,7 @@ sleep 0.3
 "$thaw" info "$work/run" >"$work/info" || fail "info of a live run"
 grep -q '^  status  *running (process [0-9]* on .*; last write at 2.*Z), at t ' "$work/info" ||
   fail "info: a run that runs is '$(grep status "$work/info")'"
-# not where summary.json is of this very step
+# not if summary.json is of the same step
 for _ in $(seq 50); do
   grep -q '^  progress  *t .* s, step [0-9]*, dt .* s (limited by .*), .* steps/s$' "$work/info" && break
   "$thaw" info "$work/run" >"$work/info"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # A restart with another scene. Changes to the initial particles and vertices are refused with the key, both
-# values and the line. Changes with a later effect are reported. It never crashes. Meshes are compared by
+# values and the line. Changes with a later effect are reported. No restart crashes. Meshes are compared by
 # content.
 . "$(dirname "$0")/../support/run.sh"
 squares() {  # squares N: a mesh of N by N squares over half a metre

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The model of the scaling study (benchmarks/scaling/model.py) against counting and the committed figures.
-# docs/performance.md equals the output of its script.
+# Compares the model of the scaling study (benchmarks/scaling/model.py) with counts and with the committed
+# figures. docs/performance.md equals the output of its script.
 set -eu
 here=$(cd "$(dirname "$0")/../.." && pwd)
 python3 "$here/benchmarks/scaling/test_model.py"

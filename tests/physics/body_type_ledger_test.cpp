@@ -83,7 +83,7 @@ TEST(BodyTypeLedger, PressureWorkFollowsTheMotionInSemiImplicitSteps) {
   ASSERT_TRUE(sim.run());
   const LedgerReport ledgerReport = sim.ledgerReport();
   EXPECT_GT(ledgerReport.wallWork, 0);
-  // the loss of the scheme itself is smaller than this
+  // the dissipation of the integrator is smaller than this bound
   EXPECT_LT(std::abs(ledgerReport.energyResidual), 1e-3 * ledgerReport.wallWork);
 }
 
@@ -143,7 +143,7 @@ TEST(BodyTypeLedger, ContactUsesTheMassOfTheRegion) {
     ASSERT_TRUE(sim.run());
     const LedgerReport ledgerReport = sim.ledgerReport();
     EXPECT_GT(ledgerReport.dissipated, 0) << factor;
-    // steps that do not resolve the impact give 28 %
+    // an error of 28 % with steps that do not resolve the impact
     EXPECT_LT(std::abs(ledgerReport.energyResidual), 0.05 * ledgerReport.energyScale) << factor;
     for (std::size_t i = 0; i < sim.w.sheets.rows.owned; i++)
       ASSERT_GT(sim.w.sheets.rows.position[i].z, 0) << factor;

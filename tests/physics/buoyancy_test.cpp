@@ -83,7 +83,7 @@ TEST(BuoyancyInAClosedBox, StartsConvectionAtItsExactRateInIncompressibleLiquid)
 }
 
 // Warm and cold layers slide past each other, and their particles become disordered. Their summed densities
-// then exceed that of the lattice. If the solver resisted that, its pressure would slow the flow.
+// then exceed that of the lattice. If the solver resisted this excess, its pressure would slow the flow.
 TEST(BuoyancyInAClosedBox, DrivesLayersInIncompressibleLiquid) {
   constexpr double edge = 0.1, viscosity = 1, density = 1000, k = 2 * pi / edge;
   Scene s = fullBox(edge / 16, {edge, edge / 2, edge / 2});

@@ -80,7 +80,7 @@ TEST(CarriedDensity, PressureWorkIsRecordedToSecondOrder) {
   for (const bool corrected : {false, true}) {
     const double whole = std::abs(lostByCollision(corrected, 1e-4)),
                  half = std::abs(lostByCollision(corrected, 5e-5));
-    EXPECT_LT(whole, 2e-3) << corrected;  // gradients at the end of a step alone give 0.01
+    EXPECT_LT(whole, 2e-3) << corrected;  // 0.01 if gradients are those of the end of a step only
     EXPECT_LT(half, 0.4 * whole) << corrected;
   }
 }

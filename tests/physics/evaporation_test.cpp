@@ -119,7 +119,7 @@ TEST(Evaporation, MeanRateFollowsTheTableExactly) {
 TEST(Evaporation, StopsWhereTheTableEnds) {
   Scene s = pool(1);
   Material& m = s.materials[0];
-  m.evaporation = {{340, 0}, {341, 1000}};  // a step at the full rate would cool its surface by 25 K
+  m.evaporation = {{340, 0}, {341, 1000}};  // a step at the full rate would cool the surface by 25 K
   m.conductivity = {2000, 2000};
   m.evaporationHeat = 1e6;
   Simulation run(s);

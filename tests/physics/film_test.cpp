@@ -22,7 +22,8 @@ Scene film(double slope, double end) {
   return s;
 }
 
-/// Returns the flow over that of the parabola u = slope weight (z H - z^2 / 2) / viscosity, by least squares.
+/// Returns the ratio of the flow to that of the parabola u = slope weight (z H - z^2 / 2) / viscosity, by
+/// least squares.
 double flowOverExact(Simulation& r, double slope) {
   EXPECT_TRUE(r.run());
   const Continuum& p = r.particles();

@@ -85,7 +85,7 @@ TEST(FreeSurfaceHeat, BoxesConvectOverTheirArea) {
   for (const int n : {1, 2, 4}) EXPECT_NEAR(boxArea(n, n, 16) / (2.0 * n * n + 64 * n), 1, 0.03) << n;
 }
 
-// The number of particles of a ball scatters around that of its volume.
+// The number of particles of a ball scatters around its volume divided by that of a particle.
 TEST(FreeSurfaceHeat, BallsConvectOverTheirArea) {
   for (const double r : {4.0, 6.0, 8.0, 10.0}) {
     const double exact = 4 * pi * r * r;

@@ -126,8 +126,8 @@ TEST(Laser, IsAbsorbedInDepthByBeersLaw) {
   EXPECT_NEAR(layer[1] / layer[0], std::exp(-1), 1e-3);
 }
 
-/// Particles round the edges of a block: where light meets them obliquely, its outline is a fifth of a
-/// spacing inside of that of sharp edges.
+/// The particles of a block have rounded edges. Under oblique light, its outline is a fifth of a spacing
+/// inside the outline with sharp edges.
 constexpr double roundEdges = 0.04;
 
 TEST(Lamp, FromADirectionHeatsTheProjectedArea) {

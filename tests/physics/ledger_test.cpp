@@ -127,8 +127,8 @@ Scene leavingDrop(TensionForm tension) {
 
 class LeavingDrop : public testing::TestWithParam<TensionForm> {};
 
-// The neighbours of a leaving particle gain surface. Its own energy alone would leave a third of the total
-// unexplained.
+// The neighbours of a leaving particle gain surface energy. The energy of the particle alone would leave a
+// third of the total unexplained.
 TEST_P(LeavingDrop, TakesItsSurfaceEnergyAlong) {
   Simulation run(leavingDrop(GetParam()));
   const double before = run.ledgerReport().now.potential;

@@ -60,8 +60,9 @@ TEST(Mixed, SolidFallsIntoALiquid) {
   EXPECT_GT(least, 0.5 * s.spacing);  // no liquid enters the solid
 }
 
-// A liquid on a solid bottom. Layers of an unmixed lattice carry pressure unevenly (the bottom one twice its
-// share). Only the means of adjacent layers are hydrostatic, so the first and the last layer count by half.
+// A liquid on a solid bottom. Layers of an undisturbed lattice carry pressure unevenly (the lowest layer
+// twice its part). Only the means of adjacent layers are hydrostatic, so the first and the last layer count
+// by half.
 TEST(Mixed, LiquidRestsOnASolid) {
   Scene s = poolAndRubber();
   s.domain.max = {0.06, 0.06, 0.3};
@@ -73,7 +74,7 @@ TEST(Mixed, LiquidRestsOnASolid) {
   ASSERT_TRUE(run.run());
   const Continuum& p = run.particles();
   double pressure = 0, exact = 0, bottom = 1, solidTop = 0, top = 0;
-  // it sinks a little, since rubber and liquid are compressed
+  // the liquid sinks slightly, since rubber and liquid are compressed
   for (std::size_t i = 0; i < p.owned; i++) top = std::max(top, p.position[i].z + 0.5 * s.spacing);
   for (std::size_t i = 0; i < p.owned; i++) {
     const double z = p.position[i].z;

@@ -22,14 +22,14 @@ Scene slidingMelt(double drag) {
   m.conductivity = {0, 0};
   m.damping = 0;
   m.hysteresis = 0.35;  // liquid down to a fraction of 0.35, solid up to 0.65
-  m.soundSpeed = 0.05;  // the forces of the lattice below are small
+  m.soundSpeed = 0.05;  // so that the forces of the lattice below are small
   m.mushDrag = drag;
   addBox(s, {0, 0, 0}, {6 * dx, 6 * dx, 3 * dx}).temperature = 300;
   s.bodies[0].clamp = {s.bodies[0].shape};
   Body& melt = addBox(s, {0, 0, 3 * dx}, {6 * dx, 6 * dx, 4 * dx});
   melt.temperature = 333;
   melt.velocity = {speed, 0, 0};
-  s.thermostats.emplace_back();  // switches heat on, and acts after the end
+  s.thermostats.emplace_back();  // enables heat; starts after the end of the scene
   s.thermostats[0].start = 1e3;
   s.end = 0.05;
   return s;

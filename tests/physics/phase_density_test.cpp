@@ -112,7 +112,7 @@ TEST(PhaseDensity, BothPhasesStartWithTheVolumeOfACell) {
   }
 }
 
-/// Melts a column of a solid on a floor. Returns its height over that before.
+/// Melts a column of a solid on a floor. Returns the ratio of its heights after and before.
 double growthOfMelt(const Material& m, const Numerics& n, double& residual) {
   Scene s = column(m, 30, 260);
   temper(s, 0.1, 0.2, 300);
@@ -140,7 +140,7 @@ TEST(PhaseDensity, MeltGrowsByTheRatioOfDensities) {
   EXPECT_LT(residual, 0.02);
 }
 
-/// Freezes a column of melt on a floor. Returns its height over that before.
+/// Freezes a column of melt on a floor. Returns the ratio of its heights after and before.
 double growthOfSolid(const Material& m, double& residual) {
   Scene s = column(m, 30, 300);
   temper(s, 0.5, 1, 260);
@@ -194,7 +194,8 @@ struct Tank {
   }
   Tank() : sim(scene()), exactLevel(totalMass(sim.w.particles, sim.all) / 1000 / area) {}
 
-  /// Draught of the cube over its edge, where the water fills the tank up to its level around the cube.
+  /// Draught of the cube divided by its edge. The water level around the cube follows from the volume of
+  /// water.
   double draught() {
     const Continuum& p = sim.particles();
     double water = 0;

@@ -230,7 +230,7 @@ TEST(RigidContact, ReboundFollowsTheRestitution) {
     }
 }
 
-/// A row of five balls of which the last ones touch, and the first `moving` ones hit them.
+/// A row of five balls. The first `moving` balls hit the others, which touch each other.
 RigidRig cradle(int moving, double restitution) {
   RigidRig rig(spacing, 4, 1e-3);
   rig.gravity = {};

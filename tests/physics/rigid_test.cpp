@@ -248,7 +248,7 @@ TEST(Rigid, ParticlesThatLeaveTheDomainTakeTheirMomentum) {
   ASSERT_EQ(sim.w.pieces.owned, 1u);
   EXPECT_EQ(sim.w.pieces.count[0], sim.w.particles.owned);
   const LedgerReport now = sim.ledgerReport();
-  // In the step in which particles leave, the others move with the mass of all.
+  // In the step in which particles leave, the remaining ones move with the mass of all.
   EXPECT_LT(length(now.momentumResidual), 0.01 * now.now.mass);
   EXPECT_LT(std::abs(now.energyResidual), 0.02 * now.now.mass);
 }
@@ -277,7 +277,8 @@ double draught(double density, double seconds, const Numerics& numerics = {}) {
   while (sim.w.clock.time < s.end) {
     if (!sim.step()) return NAN;
     if (sim.w.clock.time < 0.5 * s.end) continue;
-    // The level follows from the volume: the tank is full up to it, but for the immersed part of the cube.
+    // The level follows from the volume: below it, water fills the tank except for the immersed part of the
+    // cube.
     const double water = [&] {
       double volume = 0;
       const Continuum& p = sim.w.particles;
@@ -300,7 +301,7 @@ TEST(Rigid, CubesFloatByArchimedes) {
   EXPECT_NEAR(draught(900, 1.5), 0.9, halfSpacing);
   Numerics incompressible;
   incompressible.solver = PressureSolver::Incompressible;
-  incompressible.maxStep = 5e-3;  // without a limit, liquid alone is not stable either
+  incompressible.maxStep = 5e-3;  // liquid without a cube is not stable either without a limit
   EXPECT_NEAR(draught(600, 1.5, incompressible), 0.6, halfSpacing);
   Numerics implicitViscosity;
   implicitViscosity.viscositySolver = ViscositySolver::Implicit;

@@ -86,7 +86,7 @@ TEST(SurfaceCurvature, SlopesOfTheTensionActOnTheSurfaceOutsideOfTheParticles) {
   EXPECT_NEAR(along / (-0.25 * 8 * pi / 3), 1, 0.1);
 }
 
-// Free drops bear no net force of their tension.
+// The tension of a free drop has no net force.
 TEST(SurfaceCurvature, FreeDropsKeepTheirMomentum) {
   Scene s = marangoniDrop(0.2);
   s.bodies.push_back(s.bodies[0]);
@@ -239,7 +239,7 @@ TEST(SurfaceCurvature, DropsOfFewParticlesStayTogetherAndInPlace) {
   }
 }
 
-// Particles in the concave surface over the foot of a spreading drop were thrown off.
+// Particles in the concave surface above the rim of a spreading drop must not be ejected.
 TEST(SurfaceCurvature, ASpreadingDropKeepsItsParticles) {
   Scene s = emptyScene(0.31e-3, {-9e-3, -9e-3, 0}, {9e-3, 9e-3, 7e-3});
   s.domain.side[2] = {Side::Wall, Side::Open};

@@ -55,7 +55,7 @@ TEST(TornLiquid, WorkOfShiftingAgainstTensionIsRecorded) {
   EXPECT_LT(std::abs(unexplained(torn(drops))), 0.01);
 }
 
-// A falling jet stretches, and particles crowd at its axis. With corrected gradients at its surface they
+// A falling jet stretches, and particles accumulate at its axis. With corrected gradients at its surface they
 // oscillate, and the energy grows.
 TEST(TornLiquid, ThinJetGainsNoEnergy) {
   Scene s = test::emptyScene(4e-3, {-0.08, -0.08, -0.01}, {0.08, 0.08, 0.22});

@@ -80,8 +80,8 @@ TEST(Stability, Row10LongElasticRuns) {
     }
 }
 
-// Naive: steps have the limit's length, and the last two before each frame are shortened to hit it, more in
-// every frame.
+// Naive steps have the length of the limit. The last two before each frame are shortened to end at the frame,
+// by a different amount in every frame.
 TEST(Stability, Row10StepsCutAtFrames) {
   double most[2];
   for (const bool naive : {true, false}) {

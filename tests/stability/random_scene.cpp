@@ -105,8 +105,8 @@ std::string solvers(Dice& d, bool laplacian, bool printed) {
   return t;
 }
 
-/// A surface for some scenes, and sleep for some that allow it. `more` holds separate dice, so that the
-/// rest of a seed's scene does not change.
+/// Adds a surface to some scenes, and sleep to some scenes that allow it. `more` is a separate random
+/// sequence, so that the rest of a seed's scene does not change.
 std::string surfaceOf(Dice& more, double spacing) {
   if (!more.chance(0.4)) return "";
   std::string t = "[surface]\n";
@@ -366,7 +366,8 @@ std::string stretchedScene(Dice& d, std::uint64_t seed) {
   return t;
 }
 
-/// Three in five seeds have a theme with its own dice, so that the scenes of other seeds do not depend on it.
+/// Three in five seeds have a theme with its own random sequence, so that the scenes of other seeds do not
+/// depend on it.
 std::string sceneOf(std::uint64_t seed) {
   Dice d{seed + (std::uint64_t{2} << 40)};
   if (!d.chance(0.6)) return scene(seed);

@@ -132,8 +132,8 @@ TEST(Stability, Row03UncorrectedGradients) {
 }
 
 TEST(Stability, Row04Inversion) {
-  // A block turned inside out and left alone. Inverted particles are counted with every law; only some laws
-  // bring it back.
+  // A block starts inside out and moves freely. Inverted particles are counted with every law, but only some
+  // laws restore the block.
   const auto points = lattice({4, 4, 4}, 0.1, 0.05);
   std::int64_t left[4];
   double energy[4];
@@ -159,7 +159,7 @@ TEST(Stability, Row04Inversion) {
       "force %lld (%.1e J), neo-hookean %lld, corotated %lld",
       static_cast<long long>(left[0]), energy[0], static_cast<long long>(left[1]), energy[1],
       static_cast<long long>(left[2]), static_cast<long long>(left[3]));
-  EXPECT_EQ(left[0], 64);  // the papers' law does not detect inversion and stays; the count shows it
+  EXPECT_EQ(left[0], 64);  // the law of the papers does not detect inversion, so the block stays inverted
   EXPECT_EQ(left[1], 0);
   EXPECT_EQ(left[2], 0);
   EXPECT_EQ(left[3], 0);

@@ -25,7 +25,7 @@ Body& addBall(Scene& s, double radius, const Vec3d& centre = {}) {
 
 TEST(Stability, Row11ViscosityRatio) {
   // Two layers with viscosities 1 : 10^4 in the velocity field of their common shear flow. Measures the
-  // stress across the interface over that of the flow.
+  // ratio of the stress across the interface to that of the flow.
   const double mu[2] = {1, 1e4}, rate = 10;  // Pa s, Pa: tau = mu du/dz
   Scene s = columnScene(dx, 0, 16 * dx);
   s.materials.emplace_back(s.materials[0]);
@@ -99,8 +99,8 @@ TEST(Stability, Row11ViscosityRatioImplicit) {
 }
 
 TEST(Stability, Row24TensionOfInnerAndLonelyParticles) {
-  // The printed colour field has no direction where its gradient vanishes. thaw leaves out
-  // h < 0.3, and its own form has no normal.
+  // The printed colour field has no direction where its gradient n vanishes. thaw leaves out the force where
+  // |n| h < 0.3, and its own form needs no normal.
   for (const TensionForm form : {TensionForm::ColourField, TensionForm::Pairwise}) {
     Scene s = freeLiquid();
     s.materials[0].surfaceTension = 0.07;
@@ -122,8 +122,7 @@ TEST(Stability, Row24TensionOfInnerAndLonelyParticles) {
       if (far > 15 * dx) lonely = f;
       else if (far < 2.2 * dx) {
         inner = std::max(inner, f);
-        // sigma lap(c) n/
-        // without a threshold: full size in a random direction
+        // sigma lap(c) n / |n| without a threshold has its full size in a random direction
         double laplacian = 0;
         for (std::size_t j = 0; j < p.owned; j++) {
           const Vec3d q = (p.position[i] - p.position[j]) / (2 * dx);

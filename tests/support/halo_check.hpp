@@ -83,7 +83,7 @@ struct HaloRig {
       particles.material[i] = static_cast<std::uint16_t>(mine[i] % 1000);
       particles.clamped[i] = static_cast<std::uint8_t>(mine[i] % 3);
       particles.liquid[i] = static_cast<float>(hashed(mine[i]));
-      particles.cell[i] = ~std::uint64_t{0};  // no cell yet, so that the sort treats it as a mover
+      particles.cell[i] = ~std::uint64_t{0};  // no cell yet, so that the sort treats the row as moved
       particles.solidIndex[i] = static_cast<std::uint32_t>(mine[i]);
     }
     place();

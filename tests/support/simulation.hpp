@@ -71,7 +71,7 @@ inline Scene emptyScene(double spacing, const Vec3d& low, const Vec3d& high) {
   return s;
 }
 
-/// Lets liquids have carried densities, tension inside and shifting, as the defaults for free surfaces do.
+/// Gives liquids carried densities, negative pressure and shifting, as the defaults for free surfaces.
 inline void carryDensity(Scene& s, double shifting) {
   s.numerics.density = DensityForm::Continuity;
   s.numerics.tensileLimit = 1;

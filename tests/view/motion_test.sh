@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The page lowers the quality of pictures in motion where they are slow, and raises it where they are quick.
-# Fewer points and triangles show the same shape.
+# The page lowers the quality of pictures in motion if they are slow, and raises it if they are fast. Fewer
+# points and triangles show the same shape.
 . "$(dirname "$0")/../support/run.sh"
 if ! command -v node >/dev/null; then
   echo "skipped: node is not installed"

@@ -44,12 +44,13 @@ struct VolumeErrors {
   bool any = false;              ///< at least one component
   VolumeError againstParticles;  ///< against the volume of the particles
   VolumeError againstTarget;     ///< against the target volume (SurfaceComponent::targetVolume)
-  VolumeError small;   ///< the same for components of leastSmallParticles to leastComponentParticles - 1
+  VolumeError small;   ///< against the target, for leastSmallParticles to leastComponentParticles - 1
+                       ///< particles
   VolumeSums sum;      ///< the frame with the largest error of the summed volume
   VolumeSums missing;  ///< the frame with the largest share of missed particles
   std::int64_t particles = 0, missed = 0;  ///< VolumeSums over all frames
   VolumeError open;         ///< the most open surface: SurfaceComponent::open in place of `off`
-  std::int64_t unsure = 0;  ///< particles in components of leastComponentParticles and more that are more
+  std::int64_t unsure = 0;  ///< particles in components of at least leastComponentParticles that are more
                             ///< open than closedTolerance
 };
 

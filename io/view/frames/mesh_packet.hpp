@@ -19,8 +19,7 @@ struct SurfaceToMesh {
 SurfaceToMesh readSurfaceToMesh(const FrameRequest& request);
 
 /// Returns the detail of meshes for the page. Cubes are at least as wide as the radius of a surfel, and wide
-/// enough that the mesh has about `most` vertices, at most 100,000. Meshing then takes about a second at
-/// most.
+/// enough that the mesh has about `most` vertices, at most 50,000. Meshing then takes well under a second.
 MeshDetail detailForPage(std::size_t surfels, std::uint64_t most);
 
 /// Returns closed meshes of all components: `position`, `normal`, `triangles`, and for each vertex `surfel`:

@@ -49,8 +49,8 @@ TEST(Oriented, SurfaceDrawnOverABallGrowsAndKeepsTheLedgerClosed) {
   test::Simulation x(s);
   const std::size_t before = x.w.oriented.rows.owned;
   ASSERT_TRUE(x.run());
-  EXPECT_GT(x.w.oriented.rows.owned, before * 9 / 8);  // 268 to 306 of 232 with a density 6 % lower or
-                                                       // higher, since chance decides which link yields first
+  EXPECT_GT(x.w.oriented.rows.owned, before * 9 / 8);  // 232 become 268 to 306 as the density varies by
+                                                       // 6 %: which link yields first is random
   const LedgerReport l = x.ledgerReport();
   EXPECT_LT(std::abs(l.massResidual), 1e-12 * l.now.mass);
   EXPECT_EQ(static_cast<std::int64_t>(x.w.oriented.rows.owned - before),
@@ -58,8 +58,8 @@ TEST(Oriented, SurfaceDrawnOverABallGrowsAndKeepsTheLedgerClosed) {
   EXPECT_LT(std::abs(l.energyResidual), 0.05 * l.energyScale);
 }
 
-/// Births in a run to `end` of particles displaced by 0.2 spacings and radians along each axis with hardly
-/// any damping: hotter than Lennard-Jones can bind.
+/// Returns the births in a run to `end`. Particles are displaced by 0.2 spacings and radians along each axis,
+/// with hardly any damping, so their energy exceeds that of Lennard-Jones bonds.
 std::int64_t birthsOfAHotSurface(Scene s, double end) {
   OrientedBody& b = s.oriented[0];
   b.jitter = 0.2;
@@ -74,8 +74,8 @@ std::int64_t birthsOfAHotSurface(Scene s, double end) {
   return x.w.counters.orientedBirths;
 }
 
-// Oscillating or exploding surfaces are not stretched. Room between two particles alone is no gap: each birth
-// there would cause more.
+// Oscillating or exploding surfaces are not stretched. A space between only two particles is not a gap: each
+// birth in it would cause further births.
 TEST(Oriented, OscillatingSurfacesHaveNoGaps) {
   EXPECT_LT(birthsOfAHotSurface(patchScene(0), 0.4), 15);  // 132 at the start
   Scene s = patchScene(0);
@@ -143,7 +143,8 @@ TEST(Oriented, BirthsUnderGravityKeepTheMomentumLedgerClosed) {
   EXPECT_LT(length(r.momentumResidual), 1e-12 * length(r.gravityImpulse));
 }
 
-/// Particles born on a sheet are pressed into it at once: potential energy that no motion has supplied.
+/// Particles born on a sheet are pressed into it at once, which adds potential energy without a loss of
+/// kinetic energy.
 TEST(Oriented, BirthsOnASheetKeepTheLedgerClosed) {
   Scene s = test::emptyScene(0.05, {-1, -1, -1}, {1, 1, 1});
   s.oriented.emplace_back();

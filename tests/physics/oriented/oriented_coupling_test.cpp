@@ -13,8 +13,8 @@ namespace {
 
 using test::patchScene;
 
-// A constraint constrains to the end of the step in which it is released. The impulse of that step is the
-// constraint's.
+// A constraint acts until the end of the step in which it is released. The impulse of this step belongs to
+// the constraint.
 TEST(Oriented, ReleasedConstraintsUnderLoadKeepTheLedgerClosed) {
   for (const auto how : {OrientedIntegrator::SymplecticEuler, OrientedIntegrator::RungeKutta,
                          OrientedIntegrator::SemiImplicit}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An oriented surface is an obstacle to solids, and a solid to it, with the default contact.
+// With the default contact, solids do not pass through oriented surfaces, and vice versa.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -202,8 +202,8 @@ std::int64_t mostInAPost(double overBarrier, std::int64_t& reported) {
   return most;
 }
 
-// A film stretched over an obstacle lies on it and grows or tears rather than being drawn through. If it is
-// drawn through, that is reported.
+// A film stretched over an obstacle stays on it, and grows or tears. If the obstacle passes through the film,
+// a warning reports it.
 TEST(OrientedObstacle, IsNotDrawnThroughByAStretchedFilm) {
   std::int64_t reported = 0;
   EXPECT_LE(mostInAPost(1, reported), 4) << "for a moment, by less than a quarter of a spacing";

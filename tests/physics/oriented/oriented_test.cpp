@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Oriented bodies: momentum, energy, integrators, rest, mitigations of stability rows 17 and 33, operations.
+// Oriented bodies: momentum, energy, integrators, rest, operations, and the remedies of stability rows 17 and
+// 33.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -80,11 +80,12 @@ double diffusionTime() {
 
 }  // namespace
 
-// A cube of edge a warms through its lower face. Its own resistance (a slab loses 0.9 in 0.85 a^2/alpha) and
-// that of the half-space below a spot of its area give about 1.9 a^2/alpha for 0.9. The second is a capacity
-// a^3 over 4 k r with r = a / sqrt(pi): 2.3 times 0.44 a^2/alpha. The limits leave room for 2.7 with a single
-// particle, which has four contacts, and 1.3 to 1.6 with eight, which sink in against the viscosity of the
-// wax.
+// A cube of edge a warms through its lower face. Its own resistance and that of the half-space below a
+// spot of its area give a time of about 1.9 a^2/alpha for 0.9 of the temperature difference. The cube alone
+// takes 0.85 a^2/alpha, like a slab. The half-space adds 2.3 times 0.44 a^2/alpha, for a capacity a^3 over 4
+// k r with r = a / sqrt(pi). Measured times are 2.7 a^2/alpha for a single particle, which has four contacts,
+// and 1.3 to 1.6 for eight particles, which sink in against the viscosity of the wax. The limits are slightly
+// larger.
 TEST(Fragments, WarmByConduction) {
   for (const double temperature : {300.0, 340.0})  // solid; just molten
     for (const int size : {1, 2}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Obstacles that vanish: the ledger has the energy that particles then gain or lose.
+// Obstacles that vanish: the ledger records the energy that particles gain or lose.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -55,8 +55,8 @@ TEST(ExposedArea, EqualsTheOpenFacesOfALattice) {
 
 namespace {
 
-/// Total area of the particles of a lattice within `extent` for which inside(position) holds and
-/// counted(position) does too.
+/// Total area of the particles of a lattice within `extent` for which inside(position) and counted(position)
+/// are true.
 double totalArea(const Vec3d& offset, int extent, const std::function<bool(const Vec3d&)>& inside,
                  const std::function<bool(const Vec3d&)>& counted) {
   const Numerics n;
@@ -160,7 +160,7 @@ TEST(ConductionCorrection, RestoresTheMomentAlongASurface) {
   EXPECT_LE(factor([](int, int, int) { return false; }), 2);
 }
 
-// Two particles that nearly coincide have a large weight; the factor may not make their step unstable.
+// Two particles that nearly coincide have a large weight. The factor must not make their step unstable.
 TEST(ConductionCorrection, IsLimitedByTheStableStep) {
   const LatticeConduction lattice = latticeConduction({});
   const float heavy = static_cast<float>(lattice.weight);

@@ -38,8 +38,8 @@ TEST(Lattice, LaplacianOfAQuadraticFieldIsKnown) {
   EXPECT_DOUBLE_EQ(stableHeatStep(n), normalised * scale);
 }
 
-// The scale of the weight, computed by independent sums: close to the continuum's where layers slide,
-// whatever the lattice at rest gives.
+// The scale of the weight, computed by independent sums. It is close to the continuum value for sliding
+// layers, independent of the value of the lattice at rest.
 TEST(Lattice, WeightOfTheViscosityIsCalibratedOnSlidingLayers) {
   Numerics n;
   n.support = 2;

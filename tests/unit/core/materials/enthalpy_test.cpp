@@ -239,7 +239,8 @@ TEST(Heat, SurfacesAreCoolerThanTheirParticles) {
     }
 }
 
-// Conduction replaces the heat of surface particles in a step, so their losses do not decay in it.
+// Conduction replaces the heat of surface particles within a step, so their losses do not decay during the
+// step.
 TEST(Heat, LossesKeepTheirRateInAStep) {
   Material m;
   m.convection = 100;

@@ -134,7 +134,7 @@ TEST(Surfels, BallIsDrawnAtItsProjection) {
     }
 }
 
-/// Nothing protrudes over a cube's edges, and its faces are even.
+/// Nothing protrudes beyond the edges of a cube, and its faces are evenly shaded.
 TEST(Surfels, EdgesAreSharp) {
   const SurfelSamples s = cube(0.1);
   RenderStyle style = styleFor(s, 400, 300);

@@ -108,8 +108,7 @@ TEST(SurfaceMesh, TrianglesHaveNoSmallAngles) {
   }
 }
 
-// Some normals of surfels are wrong.
-// As below shards, whose planes meet in the floor.
+// Some normals of surfels are wrong, as below shards whose planes meet in the floor.
 TEST(SurfaceMesh, EndsAtObstaclesThatNoSurfelIsDeepIn) {
   SurfelSamples s;
   sampleBall(s, {0, 0, 0}, 0.5, 0.04, 7);
@@ -205,7 +204,8 @@ TEST(SurfaceMesh, NearbySheetsStaySeparate) {
   EXPECT_NEAR(volumeOf(m.mesh), 0.05, 0.005);
 }
 
-// The nearest surfel centre is arbitrary there, which must not make bubbles, as behind a crease of the bust.
+// The nearest surfel centre is arbitrary there. This must not make bubbles, such as behind a crease of the
+// bust.
 TEST(SurfaceMesh, CracksNarrowerThanTheSpacingMakeNoBubbles) {
   for (std::uint64_t seed = 1; seed <= 3; seed++) {
     SurfelSamples s;

@@ -74,7 +74,7 @@ TEST(ViscousOperator, EqualsTheExplicitForce) {
     std::vector<Vec3d> difference;
     for (std::size_t i = 0; i < product.size(); i++) difference.push_back(with[i] - without[i] + product[i]);
     EXPECT_GT(norm(product), 0);
-    // the operator's viscosities are floats
+    // the operator stores viscosities as floats
     EXPECT_LT(norm(difference), (precision == Precision::Single ? 2e-6 : 2e-7) * norm(product));
     Vec3d sum{};
     for (const Vec3d& f : product) sum += f;

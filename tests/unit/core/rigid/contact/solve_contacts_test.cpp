@@ -99,13 +99,13 @@ TEST(SolveContacts, TheRanksOfContactsDoNotChangeABit) {
   const Problem start = randomNet(20, 60);
   Problem serial = start;
   ContactSettings settings = settingsOf();
-  settings.mostIterations = 30;  // threads that wait for each other are slow
+  settings.mostIterations = 30;  // few, since threads that wait for each other are slow
   const Solution expected = solve(serial, settings);
   EXPECT_GT(expected.result.iterations, 3);
   for (const int count : {2, 3, 5}) {
     ThreadRanks ranks(count);
     ranks.run([&](int rank) {
-      // rows in another order on each rank, and every rank has its share of the contacts
+      // each rank has a part of the contacts, and its own order of rows
       Problem mine;
       std::vector<std::uint64_t> ids;
       std::vector<std::uint32_t> rowOf(start.pieces.size());

@@ -54,7 +54,7 @@ TEST_P(ActiveSolids, SumsAreThoseOfAllSolids) {
   std::size_t passive = 0;
   for (std::size_t s = 0; s < points.size(); s++) passive += isPassive(some->work, s);
   EXPECT_GT(passive, 100u);
-  // The pieces turn, and what is between them deforms.
+  // The pieces rotate, and the solid between them deforms.
   const Mat3d turn = rotation({1, 2, 3}, 0.4);
   for (SolidBody* b : {all.get(), some.get()}) {
     b->step.dt = 1e-3;

@@ -53,8 +53,8 @@ TEST(Rereference, ConservesEnergyAndStressAndIsObjective) {
       EXPECT_LT(largest(back - unturned), 1e-11 * largest(unturned));
       for (int k = 0; k < b->bonds.capacity; k++) {
         const std::size_t at = b->bonds.at(s, k);
-        EXPECT_EQ(b->bonds.rx[at], -b->bonds.x[at]);  // each end has the other's new vector (0 without a
-                                                      // bond)
+        EXPECT_EQ(b->bonds.rx[at], -b->bonds.x[at]);  // both ends have the same new vector, reversed
+                                                      // (0 without a bond)
       }
     }
   }

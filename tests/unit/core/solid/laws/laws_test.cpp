@@ -234,6 +234,6 @@ TEST(Laws, HourglassStressStaysBelowYieldStress) {
                                             (2 * d);
     EXPECT_NEAR(stress, std::min(m.hourglass * 1e4 * error, yield), 1e-6 * yield) << error;
   }
-  m.creepRate = {10, 10};  // its stress may exceed the yield stress
+  m.creepRate = {10, 10};  // the stress of a creeping solid may exceed the yield stress
   EXPECT_EQ(elasticConstants(m, 0).hourglassYield, never);
 }

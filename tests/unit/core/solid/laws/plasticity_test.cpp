@@ -28,7 +28,7 @@ Sym3d stressOf(const ElasticConstants& c, const Mat3d& f, const Mat3d& plasticIn
   const Mat3d elastic = elasticGradient(f - one, plasticInverse);
   return cauchyStress(elasticResponse(c, elastic).stress, elastic);
 }
-/// |dev sigma|/2G.
+/// Returns |dev sigma| / (2 G).
 double sizeOf(const ElasticConstants& c, const Sym3d& stress) {
   const double p = trace(stress) / 3;
   return norm(stress - Sym3d{p, p, p, 0, 0, 0}) / (2 * c.mu);
@@ -214,7 +214,8 @@ TEST(Plasticity, LossAtTheLimitIsWorkLessStoredEnergy) {
   EXPECT_NEAR(p.loss, p.work - p.stored(), 0.01 * p.work);
 }
 
-// From rest to four times the yield strain in one step. The stress grows to its limit, so half of it works.
+// From rest to four times the yield strain in one step. The stress grows linearly to its limit, so the work
+// is that of half the limit.
 TEST(Plasticity, WorkOfASingleStepHasTheMeanStress) {
   const ElasticConstants c = yielding("neo-hookean", 0.005);
   // A shear gamma has a strain of norm gamma / sqrt(2).

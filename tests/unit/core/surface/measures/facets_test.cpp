@@ -102,8 +102,8 @@ void addDisc(SurfelRig& rig, double radius, double z, double up) {
   }
 }
 
-// Films so thin that the rim is one ring of surfels, connected to neither side: there is a hole all along the
-// rim. Measured from the middle of the film, half of its volume would be missing.
+// In very thin films the rim is a single ring of surfels, which is connected to neither side. There is a hole
+// all along the rim. A measure from the middle of the film would miss half of its volume.
 TEST(Facets, VolumeOfAFilmWithAnOpenRimIsExact) {
   const double d = 0.05, R = 12 * d;
   for (const double thick : {0.5, 0.8})

@@ -125,8 +125,8 @@ TEST(Relax, SameBitsForEveryInstructionSetAndGrouping) {
       if (first.empty()) first = now;
       EXPECT_TRUE(sameBits(first, now)) << isa;
     }
-    // half of the ball's surfels alone are grouped differently: one iteration from the same positions with
-    // all neighbours
+    // a rank with half of the ball's surfels groups them differently: one iteration from the same positions,
+    // with all neighbours present
     RelaxRig rig(0.5, 12, [&](Scene& s) { s.surface.smoothing = form; });
     RelaxRig half(0.5, 12, [&](Scene& s) { s.surface.smoothing = form; });
     addBall(rig, 5);

@@ -41,7 +41,7 @@ struct TornBar : SurfaceWorld {
           if (coloured) bar.colours.assign(bar.vertices.size(), 0x2030c0);
           return bar;
         }) {}
-  /// Moves two pieces apart along a curved crack.
+  /// Separates two pieces along a curved crack.
   void pull(double by) {
     for (std::size_t i = 0; i < w.particles.owned; i++) {
       Vec3d& x = w.particles.position[i];

@@ -49,7 +49,7 @@ TEST(Expression, HasTheValuesOfItsFunctions) {
 TEST(Expression, ReadsDecimalPointsInAnyLocale) {
   const char* before = std::setlocale(LC_ALL, nullptr);
   const std::string kept = before ? before : "C";
-  std::setlocale(LC_ALL, "de_DE.UTF-8");  // no effect if the locale is not installed
+  std::setlocale(LC_ALL, "de_DE.UTF-8");  // has no effect if the locale is not installed
   EXPECT_EQ(valueOf("1.5*x", {2, 0, 0}), 3);
   std::setlocale(LC_ALL, kept.c_str());
 }
