@@ -34,7 +34,7 @@
 namespace thaw {
 namespace {
 
-/// Largest height of fall: from the highest point of bodies and emitters to the lowest end of the domain.
+/// Largest height of fall (m), from the highest point of bodies and emitters to the bottom of the domain.
 double fallHeightOf(const Scene& s, const std::vector<std::shared_ptr<const SignedDistance>>& shapes) {
   const double g = length(s.domain.gravity);
   if (g == 0) return 0;
@@ -59,8 +59,8 @@ double reachOfWalls(const Scene& scene, const CellGrid& grid, const SheetBodies&
   return reach;
 }
 
-/// Adds the walls of obstacles and of the domain, and the shapes of bodies and terms. Throws with all
-/// unreadable meshes and their places in the scene.
+/// Adds the walls of obstacles and of the domain, and the shapes of bodies and terms. The thrown error lists
+/// all unreadable meshes and their locations in the scene.
 void makeShapes(World& w, ParticleSources& sources, TermWork& terms, const MeshLoader& load) {
   SceneProblems problems;
   for (const Obstacle& o : w.scene.obstacles) {

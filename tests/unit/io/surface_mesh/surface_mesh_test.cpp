@@ -109,7 +109,7 @@ TEST(SurfaceMesh, TrianglesHaveNoSmallAngles) {
 }
 
 // Some normals of surfels are wrong, as below shards whose planes meet in the floor.
-TEST(SurfaceMesh, EndsAtObstaclesThatNoSurfelIsDeepIn) {
+TEST(SurfaceMesh, EndsAtObstaclesWithoutSurfelsDeepInside) {
   SurfelSamples s;
   sampleBall(s, {0, 0, 0}, 0.5, 0.04, 7);
   SurfaceFrame f = frameOf(s);
