@@ -71,18 +71,24 @@ def unknownPapers(files):
 
 
 TYPE = re.compile(r'\b(?:struct|class|enum|union|using)\s+(?:class\s+)?(?:alignas\([^)]*\)\s*)?(\w+)')
+BASES = re.compile(r'\b(?:struct|class)\s+(\w+)(?:\s+final)?\s*:\s*([^{;]+)\{')
 MEMBER = re.compile(r'(?<![\w:])([A-Z]\w*)::~?(\w+)')
 FOREIGN = ('Eigen', 'PNG', 'CLI', 'MPI', 'HDF5', 'ZLIB')  # namespaces of other projects
 
 
 def unknownMembers(files):
-    """Members `Type::member` whose type no file declares, or that no file with the type contains."""
-    declared, words = {}, {}
+    """Members `Type::member` whose type no file declares, or that no file with it or a base contains."""
+    declared, words, bases = {}, {}, {}
     for file in filter(isCpp, files):
         code = withoutComments('\n'.join(readLines(file)))
         words[file] = frozenset(re.findall(r'\w+', code))
         for name in TYPE.findall(code):
             declared.setdefault(name, set()).add(file)
+        for name, above in BASES.findall(code):
+            bases.setdefault(name, set()).update(re.findall(r'\w+', above))
+    for name, above in bases.items():
+        for base in above & declared.keys():
+            declared.setdefault(name, set()).update(declared[base])
     for file in files:
         for number, text, _ in comments(file):
             for owner, member in MEMBER.findall(text):

@@ -9,7 +9,6 @@
 #include "io/run/failure_text.hpp"
 
 namespace thaw {
-namespace {}  // namespace
 
 std::string bodyTypeFailure(const World& w, const StepTools& t, const StepOutcome& failed, Reducer& all) {
   const Failure failure = failed.failure;

@@ -23,7 +23,8 @@ struct MotionFields : FieldGroup {
   Column<double> mass{table, "mass", "kg", Keep::State, "constant, except in liquids that evaporate"};
   Column<std::uint16_t> material{table, "material", "1", Keep::State, "index into the scene's materials"};
   Column<std::uint16_t> body{table, "body", "1", Keep::State, "index into bodies, then emitters"};
-  Column<std::uint8_t> phase{table, "phase", "1", Keep::State, "Solid: has or may have bonds; Liquid: has none"};
+  Column<std::uint8_t> phase{table, "phase", "1", Keep::State,
+      "Solid: has or may have bonds; Liquid: has none"};
   Column<std::uint8_t> clamped{table, "clamped", "1", Keep::State,
       "1: fixed until it melts; 2: driven by its emitter at constant velocity; 3: part of a rigid piece with "
       "fixed particles"};

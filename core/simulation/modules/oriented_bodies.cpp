@@ -24,15 +24,15 @@ StepModule orientedBodies() {
                     [](const World& w, const TermWork&) { return w.modules.oriented; },
                     {{ModulePhase::BeforeMotion,
                       [](StepContext& c) {
-              // Oriented particles have their own integrator, which uses obstacles at the positions of the
-              // last forces.
+                        // Oriented particles have their own integrator, which uses obstacles at the positions
+                        // of the last forces.
                         stepOriented(orientedView(c.w, c.t), c.halos, c.dt);
                       }},
                      {ModulePhase::Redistributed,
                       [](StepContext& c) { evaluateOriented(orientedView(c.w, c.t), c.halos, c.dt); }},
                      {ModulePhase::Coupling,
                       [](StepContext& c) {
-              // Contacts of particles born in this step.
+                        // Contacts of particles born in this step.
                         recordBirthContacts(c.w.oriented.rows, c.t.oriented, c.w.ledger);
                       }},
                      {ModulePhase::Limits, [](StepContext& c) {

@@ -112,7 +112,7 @@ struct ElasticResult {
   }
 };
 
-/// What decides which fields and constants solids need.
+/// Data that decide which fields and constants solids need.
 struct SolidSetup {
   const Scene& scene;
   const Modules& modules;
