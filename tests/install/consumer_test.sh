@@ -34,8 +34,8 @@ buildProgram() {  # buildProgram FOLDER: into FOLDER/build
 }
 buildProgram "$consumer"
 "$consumer/build/falling_cube"
-"$consumer/build/trap"
-for example in capsule mooney attraction phases; do "$consumer/build/$example"; done
+"$consumer/build/phases"
+for example in trap capsule mooney attraction; do "$consumer/build/$example" "$dir/$example"; done
 
 # A field is in frames, and continues after a restart.
 "$consumer/build/lamp"
@@ -70,8 +70,14 @@ print(f'particles {last["particles"]}\nstep {last["step"]}\ntime {last["time"]:.
 END
 diff "$dir/found" "$dir/expected" || fail "the consumer's steps differ from those of thaw run"
 
-mpirun -n 3 "$consumer/build/two_groups" "$scene" | sort >"$dir/groups"
+mpirun -n 3 "$consumer/build/two_groups" "$scene" "$dir/two_groups" | sort >"$dir/groups"
 [ "$(grep -c '^group [01]: ' "$dir/groups")" = 2 ] || fail "both groups step: $(cat "$dir/groups")"
+
+# The picture of the manual.
+if "$python" -c 'import matplotlib' 2>/dev/null; then
+  PYTHONPATH=$root/python "$python" "$consumer/plot.py" "$dir" "$dir/examples.png"
+  head -c 4 "$dir/examples.png" | grep -q PNG || fail "the picture of the examples"
+fi
 
 source=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$build/CMakeCache.txt")
 if grep -rlF -e "$source/" "$prefix/lib"*/cmake; then fail "the installed package names the source tree"; fi
