@@ -78,14 +78,6 @@ bool isFieldOfModel(const std::string& name) {
          std::find(std::begin(computedFields), std::end(computedFields), name) != std::end(computedFields);
 }
 
-/// Returns the extension that has a field of that name, or null.
-const Extension* ownerOf(const std::string& field) {
-  for (const auto& [name, e] : registered())
-    for (const ExtensionField& f : e.fields)
-      if (f.name == field) return &e;
-  return nullptr;
-}
-
 void checkField(const Extension& e, const ExtensionField& f) {
   const std::string field = "extension '" + e.name + "': field '" + f.name + "' ";
   if (!isName(f.name))
@@ -94,11 +86,21 @@ void checkField(const Extension& e, const ExtensionField& f) {
     throw std::invalid_argument(field + "has " + std::to_string(f.components) +
                                 " components; expected 1 to 9");
   if (isFieldOfModel(f.name)) throw std::invalid_argument(field + "is a field of the model");
-  if (const Extension* other = ownerOf(f.name))
+  if (const Extension* other = findFieldOwner(f.name))
     throw std::invalid_argument(field + "is a field of extension '" + other->name + "'");
   if (std::count_if(e.fields.begin(), e.fields.end(),
                     [&](const ExtensionField& other) { return other.name == f.name; }) > 1)
     throw std::invalid_argument(field + "is declared twice");
+}
+
+/// Keys of shapes of the library where a scene expects a shape (io/scene/tables/read_shape.cpp).
+constexpr const char* shapeKeys[] = {"mesh",  "box",   "sphere",     "cylinder",     "torus", "glass",
+                                     "plane", "union", "difference", "intersection", "place"};
+
+void checkShapeName(const std::string& name) {
+  if (std::find(std::begin(shapeKeys), std::end(shapeKeys), name) != std::end(shapeKeys))
+    throw std::invalid_argument("extension '" + name +
+                                "': the library has a shape or key of that name: choose another name");
 }
 
 void check(const Extension& e) {
@@ -113,6 +115,7 @@ void check(const Extension& e) {
   if (!e.usesTable() && !e.hasLaw() && !e.shape)
     throw std::invalid_argument("extension '" + e.name +
                                 "' has no part: expected a load, fields, a pair force, a law or a shape");
+  if (e.shape) checkShapeName(e.name);
   for (const ExtensionKey& key : e.keys)
     if (!isName(key.name) || !(key.least <= key.standard && key.standard <= key.most))
       throw std::invalid_argument("extension '" + e.name + "': key '" + key.name +
@@ -134,9 +137,25 @@ void complete(ExtensionSettings& settings) {
   settings.heats = e->heats;
 }
 
-void completeShape(Shape& s) {
-  if (s.kind == ShapeKind::Extension) complete(s.extension);
-  for (Shape& part : s.parts) completeShape(part);
+/// Calls use(settings) for the extension of a shape and those of its parts.
+template<class Use> void eachOfShape(Shape& s, Use&& use) {
+  if (s.kind == ShapeKind::Extension) use(s.extension);
+  for (Shape& part : s.parts) eachOfShape(part, use);
+}
+
+/// Calls use(settings) for each place of the scene that names an extension: tables, laws, shapes.
+template<class Use> void eachUse(Scene& scene, Use&& use) {
+  for (ExtensionSettings& s : scene.extensions) use(s);
+  for (Material& m : scene.materials) use(m.law);
+  for (Body& b : scene.bodies) {
+    eachOfShape(b.shape, use);
+    for (Shape& clamp : b.clamp) eachOfShape(clamp, use);
+  }
+  for (Obstacle& o : scene.obstacles) eachOfShape(o.shape, use);
+  for (OrientedBody& b : scene.oriented) eachOfShape(b.shape, use);
+  eachTermElement(scene, [&](const Extension&, const TermTable&, const TermElement& element) {
+    if (element.shape) eachOfShape(*element.shape, use);
+  });
 }
 
 }  // namespace
@@ -149,6 +168,30 @@ void registerExtension(Extension e) {
 const Extension* findExtension(const std::string& name) {
   const auto at = registered().find(name);
   return at == registered().end() ? nullptr : &at->second;
+}
+
+const Extension* findFieldOwner(const std::string& field) {
+  for (const auto& [name, e] : registered())
+    for (const ExtensionField& f : e.fields)
+      if (f.name == field) return &e;
+  return nullptr;
+}
+
+std::vector<const Extension*> usedExtensions(const Scene& scene) {
+  std::vector<const Extension*> used;
+  Scene copy = scene;  // elements of tables are not const
+  eachUse(copy, [&](const ExtensionSettings& s) {
+    const Extension* e = findExtension(s.name);
+    if (!e) throw std::invalid_argument("extension '" + s.name + "' is not registered");
+    if (!e->builtIn && std::find(used.begin(), used.end(), e) == used.end()) used.push_back(e);
+  });
+  return used;
+}
+
+std::string usedExtensionNames(const Scene& scene) {
+  std::string names;
+  for (const Extension* e : usedExtensions(scene)) names += (names.empty() ? "" : ", ") + e->name;
+  return names;
 }
 
 std::vector<std::string> extensionNames(const std::function<bool(const Extension&)>& has) {
@@ -182,19 +225,7 @@ bool isUsed(const Extension& term, const Scene& scene, const Modules& modules) {
   return part.earlyUses && !part.earlyUses(scene).empty();
 }
 
-void completeExtensions(Scene& scene) {
-  for (ExtensionSettings& s : scene.extensions) complete(s);
-  for (Material& m : scene.materials) complete(m.law);
-  for (Body& b : scene.bodies) {
-    completeShape(b.shape);
-    for (Shape& clamp : b.clamp) completeShape(clamp);
-  }
-  for (Obstacle& o : scene.obstacles) completeShape(o.shape);
-  for (OrientedBody& b : scene.oriented) completeShape(b.shape);
-  eachTermElement(scene, [](const Extension&, const TermTable&, const TermElement& element) {
-    if (element.shape) completeShape(*element.shape);
-  });
-}
+void completeExtensions(Scene& scene) { eachUse(scene, complete); }
 
 void declareFields(const Scene& scene, Continuum& particles) {
   for (const ExtensionSettings& s : scene.extensions)

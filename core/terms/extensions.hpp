@@ -19,10 +19,10 @@ namespace thaw {
 
 /// A key of an extension's table: a number with a unit.
 struct ExtensionKey {
-  std::string name, unit;  ///< unit in SI, "" for none
-  double standard = 0;     ///< value if the scene does not set the key
-  double least = -never, most = never;
-  std::string about = {};  ///< one line
+  std::string name, unit;               ///< unit in SI, "" for none
+  double standard = 0;                  ///< value in SI if the scene does not set the key
+  double least = -never, most = never;  ///< range in SI; values outside are refused with their place
+  std::string about = {};               ///< one line
 };
 
 /// A field of particles, of doubles. It is sorted, migrated, in checkpoints, and in frames if output.fields
@@ -45,20 +45,20 @@ struct Extension {
   std::string name = {};   ///< letters, digits, _
   std::string about = {};  ///< one line
   std::vector<ExtensionKey> keys = {};
-  /// Creates the force or heat source from the scene's values.
+  /// Creates the force (N) or heat source (W) from the scene's values (OutsideLoad).
   std::function<OutsideSource(const ExtensionSettings&)> load = {};
-  /// Longest stable step (s) for these values. Empty: no limit.
+  /// Longest stable step (s) for these values. Empty: no limit. Kick-drift-kick leap-frog (SP05) is stable
+  /// below 2 / omega for the highest frequency omega (1/s); a tenth of it is accurate.
   std::function<double(const ExtensionSettings&)> stepLimit = {};
   std::vector<ExtensionField> fields = {};
   /// Creates the function that updates the fields. Empty: only loads and hooks change them.
   std::function<FieldUpdate(const ExtensionSettings&)> update = {};
-  PairForce pairForce = {};  ///< with kernels
-  ElasticLaw law = {};       ///< with kernels or response
-  ShapeMaker shape = {};
-  bool heats = false;                   ///< its load adds heat: a scene that names it has heat
-  bool builtIn = false;                 ///< in the library: all programs have it
-  std::optional<ModelPart> model = {};  ///< with keys in the scene's own tables; only for terms of the
-                                        ///< library
+  PairForce pairForce = {};  ///< with kernels; a function on lanes gives N/m, J, W (PairResult)
+  ElasticLaw law = {};       ///< with kernels or response; energy density and first Piola stress, Pa (C88)
+  ShapeMaker shape = {};     ///< makes a signed distance, m
+  bool heats = false;        ///< its load adds heat: a scene that names it has heat
+  bool builtIn = false;      ///< in the library: all programs have it
+  std::optional<ModelPart> model = {};  ///< with keys in the scene's own tables; for the library alone
 
   /// Returns true if it has a part that [extension.NAME] turns on.
   bool usesTable() const { return !model && (load || !fields.empty() || update || pairForce.kernels.sum); }
@@ -66,11 +66,19 @@ struct Extension {
 };
 
 /// Makes an extension known to all scenes that are read afterwards. Throws std::invalid_argument for a name
-/// that is taken or malformed, and for an extension without parts.
+/// that is taken or malformed, for a shape with the name of a shape of the library, and for an extension
+/// without parts.
 void registerExtension(Extension extension);
 
 /// Returns the extension of that name, or null.
 const Extension* findExtension(const std::string& name);
+/// Returns the extension with a field of that name, or null.
+const Extension* findFieldOwner(const std::string& field);
+/// Returns the extensions of programs that a scene names, each once. Throws std::invalid_argument for one
+/// that is not registered.
+std::vector<const Extension*> usedExtensions(const Scene& scene);
+/// Returns their names as one text: "lamp, capsule".
+std::string usedExtensionNames(const Scene& scene);
 /// Returns the names of the extensions for which `has` is true, in order.
 std::vector<std::string> extensionNames(const std::function<bool(const Extension&)>& has);
 /// Returns the names of all elastic laws: those of the library in the order of their table, then others.

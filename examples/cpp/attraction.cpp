@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // A force between particles of the program's own (attraction_isa.cpp): two liquids attract themselves and
 // repel each other. Momentum and energy are conserved.
+// attraction [FOLDER]: with a folder, it writes frames.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string>
 
 #include "core/math/exact_sum.hpp"
 #include "core/simd/choose.hpp"
@@ -101,11 +103,13 @@ State stateOf(const thaw::Continuum& p) {
 int main(int argc, char** argv) {
   thaw::MpiSession mpi(&argc, &argv);
   thaw::registerExtension(attraction::force());
-  thaw::Simulation sim = thaw::Simulation::fromText(attraction::scene, {.scene = "attraction"},
+  const std::string out = argc > 1 ? argv[1] : "";
+  thaw::Simulation sim = thaw::Simulation::fromText(attraction::scene, {.scene = "attraction", .out = out},
                                                     MPI_COMM_SELF);
   const attraction::State start = attraction::stateOf(sim.particles());
   double fastest = 0;
   sim.run();
+  sim.finish();
   const attraction::State end = attraction::stateOf(sim.particles());
   const thaw::Continuum& p = sim.particles();
   for (std::size_t i = 0; i < p.owned; i++) fastest = std::max(fastest, length(p.velocity[i]));

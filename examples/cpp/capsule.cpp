@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // A shape of the program's own: a capsule, exact, as an obstacle on which a jelly ball comes to rest, and as
 // a body.
+// capsule [FOLDER]: with a folder, it writes frames.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
 #include <numbers>
+#include <string>
 
 #include "core/terms/extensions.hpp"
 #include "io/simulation/simulation.hpp"
@@ -70,7 +72,8 @@ place = { rotate_x = "90 deg" }
 int main(int argc, char** argv) {
   thaw::MpiSession mpi(&argc, &argv);
   thaw::registerExtension(capsule());
-  thaw::Simulation sim = thaw::Simulation::fromText(scene, {.scene = "capsule"}, MPI_COMM_SELF);
+  const std::string out = argc > 1 ? argv[1] : "";
+  thaw::Simulation sim = thaw::Simulation::fromText(scene, {.scene = "capsule", .out = out}, MPI_COMM_SELF);
   const thaw::Continuum& p = sim.particles();
   const double spacing = sim.scene().spacing, pi = std::numbers::pi;
   const double volume = static_cast<double>(p.owned) * spacing * spacing * spacing,
@@ -81,6 +84,7 @@ int main(int argc, char** argv) {
       nearest = std::min(nearest, std::hypot(p.position[i].x, p.position[i].z) - 0.1);
   });
   sim.run();
+  sim.finish();
   std::printf("%zu particles fill %.3f of the volume; nearest to the bar: %.3f spacings\n", p.owned,
               volume / exact, nearest / spacing);
   return std::abs(volume / exact - 1) < 0.1 && nearest > 0 && nearest < spacing ? 0 : 1;

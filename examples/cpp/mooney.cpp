@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // An elastic law of the program's own (mooney_isa.cpp): its stress is the derivative of its energy, and a
 // block that swings after a stretch keeps its energy.
+// mooney [FOLDER]: with a folder, it writes frames.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string>
 
 #include "core/simd/choose.hpp"
 #include "core/terms/extensions.hpp"
@@ -46,6 +48,9 @@ name = "block"
 box = { size = [0.4, 0.4, 0.4] }
 material = "rubber"
 velocity = { x = "2 * x", y = "-y", z = "-z" }
+[output]
+every = 0.2
+ledger_every = 0.002
 )";
 
 /// Largest difference of the stress from the derivative of the energy, over the largest stress.
@@ -74,11 +79,14 @@ double stressError(const thaw::BoundLaw& bound) {
 int main(int argc, char** argv) {
   thaw::MpiSession mpi(&argc, &argv);
   thaw::registerExtension(mooney::law());
-  thaw::Simulation sim = thaw::Simulation::fromText(mooney::scene, {.scene = "mooney"}, MPI_COMM_SELF);
+  const std::string out = argc > 1 ? argv[1] : "";
+  thaw::Simulation sim = thaw::Simulation::fromText(mooney::scene, {.scene = "mooney", .out = out},
+                                                    MPI_COMM_SELF);
   const double error = mooney::stressError(thaw::boundLaw(sim.scene().materials[0]));
   double most = 0;
   sim.onStep([&] { most = std::max(most, sim.ledger().now.elastic); });
   sim.run();
+  sim.finish();
   const thaw::LedgerReport ledger = sim.ledger();
   const double residual = ledger.energyResidual / ledger.energyScale;
   std::printf("stress within %.1e of the energy's derivative; elastic energy up to %.3g J; residual %.1e\n",

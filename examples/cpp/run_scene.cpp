@@ -4,23 +4,16 @@
 #include <cstdlib>
 
 #include "io/simulation/simulation.hpp"
-#include "io/text/version.hpp"
 #include "parallel/communicator.hpp"
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   thaw::MpiSession mpi(&argc, &argv);
   if (argc != 3) return 2;
-  try {
-    thaw::Simulation sim({.scene = argv[1], .overrides = {"spacing=0.05"}});
-    sim.runSteps(std::atoi(argv[2]));
-    const thaw::LedgerReport ledger = sim.ledger();
-    if (sim.rank() > 0) return 0;
-    std::fprintf(stderr, "thaw %s\n", thaw::versionNumber());
-    std::printf("particles %lld\nstep %lld\ntime %.17g\n", static_cast<long long>(ledger.particles),
-                static_cast<long long>(sim.steps()), sim.time());
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "%s\n", e.what());
-    return 1;
-  }
-  return 0;
+  thaw::Simulation sim({.scene = argv[1], .overrides = {"spacing=0.05"}});
+  sim.runSteps(std::atoi(argv[2]));
+  const long long particles = sim.ledger().particles, steps = sim.steps();
+  if (sim.rank() == 0) std::printf("particles %lld\nstep %lld\ntime %.17g\n", particles, steps, sim.time());
+} catch (const std::exception& e) {
+  std::fprintf(stderr, "%s\n", e.what());
+  return 1;
 }

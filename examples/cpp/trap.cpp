@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // A body force with a key of its own: a harmonic trap holds a jelly ball, which swings through it as
 // cos(omega t). The sum of its kinetic and elastic energy and its energy in the trap is constant.
+// trap [FOLDER]: with a folder, it writes frames.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string>
 
 #include "core/terms/extensions.hpp"
 #include "io/simulation/simulation.hpp"
@@ -28,6 +30,8 @@ place = { move = [0.05, 0, 0] }
 material = "jelly"
 [extension.trap]
 omega = "20 1/s"
+[output]
+every = 0.005
 )";
 
 /// Energy (J) of a particle at x: m omega^2 x^2 / 2.
@@ -75,7 +79,8 @@ State stateOf(const thaw::Continuum& p, double omega) {
 int main(int argc, char** argv) {
   thaw::MpiSession mpi(&argc, &argv);
   thaw::registerExtension(trap());
-  thaw::Simulation sim = thaw::Simulation::fromText(scene, {.scene = "trap"}, MPI_COMM_SELF);
+  const std::string out = argc > 1 ? argv[1] : "";
+  thaw::Simulation sim = thaw::Simulation::fromText(scene, {.scene = "trap", .out = out}, MPI_COMM_SELF);
   const double omega = sim.scene().extensions.front().values.at("omega");
   const State start = stateOf(sim.particles(), omega);
   double worst = 0;
@@ -84,6 +89,7 @@ int main(int argc, char** argv) {
     worst = std::max(worst, std::abs(x - start.centre * std::cos(omega * sim.time())) / start.centre);
   });
   sim.run();
+  sim.finish();
   const thaw::LedgerReport ledger = sim.ledger();
   const double given = start.energy - stateOf(sim.particles(), omega).energy,
                lost = (given - ledger.wallWork) / start.energy;

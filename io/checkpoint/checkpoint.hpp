@@ -67,6 +67,7 @@ struct CheckpointHeader {
   MonitorState monitor;  ///< snapshotStep is -1 in files of versions without it
   CheckpointValues values;
   std::string code, commit, sceneName, sceneText;
+  std::string extensions;  ///< names of extensions of programs: "lamp, capsule"
   std::int64_t ranks = 0;
 };
 

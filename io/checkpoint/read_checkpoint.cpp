@@ -9,6 +9,7 @@
 #include "io/checkpoint/checkpoint.hpp"
 #include "io/checkpoint/surface_record.hpp"
 #include "io/hdf5/parallel_file.hpp"
+#include "io/text/counted.hpp"
 
 namespace thaw {
 namespace {
@@ -31,6 +32,21 @@ struct CheckedReader {
     stored.push_back(static_cast<std::uint64_t>(file.integer(name, "checksum")));
   }
 };
+
+/// Throws an IoError if the file has a field of an extension with another number of components.
+void checkAddedFields(const H5File& file, const Continuum& particles) {
+  for (const auto& c : particles.added) {
+    const std::string name = std::string("/particles/") + c->name;
+    if (!file.has(name)) continue;
+    const int found = std::max(file.shape(name).components, 1);
+    if (found == c->components) continue;
+    const Extension* owner = findFieldOwner(c->name);
+    throw IoError(file.path(), "field '" + std::string(c->name) + "' of extension '" +
+                                   (owner ? owner->name : "") + "' has " + counted(found, "component") +
+                                   ", and this program declares " + std::to_string(c->components) +
+                                   ": continue with the program that wrote it");
+  }
+}
 
 /// Activates the State columns that the file has, and reads them.
 void readTable(CheckedReader& in, const std::string& group, Table& table, const RowRange& range,
@@ -160,6 +176,7 @@ CheckpointHeader headerOf(const H5File& file) {
   h.code = file.text("/run", "code");
   h.commit = file.text("/run", "commit");
   h.ranks = file.integer("/run", "ranks");
+  if (file.hasAttribute("/run", "extensions")) h.extensions = file.text("/run", "extensions");
   h.sceneName = file.readText("/run/scene_name");
   h.sceneText = file.readText("/run/scene_toml");
   return h;
@@ -206,6 +223,7 @@ std::unique_ptr<CheckpointSlice> readCheckpoint(const std::string& path, MPI_Com
     const CheckpointHeader& h = s.header;
     CheckedReader in{file, {}, {}, {}};
     const RowRange mine = share(h.particles, rank, ranks);
+    checkAddedFields(file, s.particles);
     readTable(in, "/particles", s.particles, mine, h.particles);
     const std::uint64_t firstSolid = countBelow(file, "/order/solid_particle", h.solids, mine.first);
     const RowRange solids{

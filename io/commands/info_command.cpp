@@ -91,6 +91,7 @@ Json checkpointInfo(const CheckpointHeader& header, bool fields) {
             {"particles", h.particles},  {"solids", h.solids},   {"bonds", h.bonds},
             {"sequence", h.sequence},    {"scene", h.sceneName}, {"code", h.code},
             {"commit", h.commit},        {"ranks", h.ranks}};
+  if (!h.extensions.empty()) j["extensions"] = h.extensions;
   if (h.surface.there) {
     j["surface"] = {{"surfels", h.surfels},
                     {"components", h.surface.components.size()},

@@ -29,6 +29,15 @@ std::string named(const char* what, const std::string& text) {
   return fmt::format("  {:<12} {}", what, text);
 }
 
+/// Returns the names of extensions in the summary, or in the newest checkpoint.
+std::string extensionsText(const Json& run, const Json& summary) {
+  std::string text;
+  if (summary.contains("extensions"))
+    for (const Json& name : summary["extensions"])
+      text += (text.empty() ? "" : ", ") + name.get<std::string>();
+  return text.empty() && !run["checkpoints"].empty() ? textOf(run["checkpoints"][0], "extensions") : text;
+}
+
 /// Returns the counters that are not 0: "melted 12, frozen 3".
 std::string countsText(const Json& counters) {
   std::string text;
@@ -113,6 +122,8 @@ std::vector<std::string> summaryOfRun(const Json& run) {
                           numberOf(p, "time_s"), static_cast<std::int64_t>(numberOf(p, "step")),
                           numberOf(p, "dt_s"), textOf(p, "dt_limited_by"), numberOf(p, "steps_per_second"))));
   }
+  if (const std::string names = extensionsText(run, s); !names.empty())
+    lines.push_back(named("extensions", names));
   if (run.contains("lock")) lines.push_back(named("in use", lockText(run["lock"])));
   addCheckpoints(run, lines);
   addFrames(run, lines);

@@ -41,9 +41,10 @@ struct Frame {
 
 /// Origin of a file, in its group /run.
 struct RunStamp {
-  std::string sceneName;      ///< stem of the scene's file
-  std::string sceneText;      ///< TOML
-  bool piecesByRank = false;  ///< one piece of a frame per rank, for parallel ParaView
+  std::string sceneName;        ///< stem of the scene's file
+  std::string sceneText;        ///< TOML
+  bool piecesByRank = false;    ///< one piece of a frame per rank, for parallel ParaView
+  std::string extensions = {};  ///< names of extensions of programs: "lamp, capsule"
 };
 
 /// Writes a frame; a frame of triangles has one piece. On failure nothing changes, and the same IoError is
@@ -52,7 +53,7 @@ struct RunStamp {
 void writeFrame(const std::string& path, MPI_Comm comm, const Frame& frame, const RunStamp& stamp,
                 std::uint64_t wideFrom = std::numeric_limits<std::int32_t>::max());
 
-/// Writes the group /run: code, commit, ranks, scene_name, scene_toml. Rank 0 only.
+/// Writes the group /run: code, commit, ranks, extensions, scene_name, scene_toml. Rank 0 only.
 void writeStamp(H5File& file, const RunStamp& stamp, int ranks);
 
 /// A field as read. bytes: rows * components elements.

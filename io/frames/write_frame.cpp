@@ -39,6 +39,7 @@ void writeStamp(H5File& file, const RunStamp& stamp, int ranks) {
   file.setText("/run", "code", std::string("thaw ") + versionNumber());
   file.setText("/run", "commit", versionCommit());
   file.setInteger("/run", "ranks", ranks);
+  if (!stamp.extensions.empty()) file.setText("/run", "extensions", stamp.extensions);
   file.writeText("/run/scene_name", stamp.sceneName);
   file.writeText("/run/scene_toml", stamp.sceneText);
 }

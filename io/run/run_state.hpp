@@ -79,7 +79,7 @@ struct Run : MpiSimulation {
     if (first() && options.log) options.log(line);
   }
   bool writes() const { return !options.out.empty(); }
-  RunStamp stamp() const { return {name, world.scene.text, world.scene.output.piecesByRank}; }
+  RunStamp stamp() const;
 };
 
 /// Runs `work` on the first rank if the run has a folder. Throws its IoError on all ranks. Collective.

@@ -29,7 +29,8 @@ struct ObstacleMotion {
 };
 
 /// Load of all particles on an obstacle at the end of the last step, over all ranks: pressure, drag, contact
-/// and surface tension. Zero before the first step.
+/// and surface tension (docs/theory/walls.md; core/walls/wall_load.hpp). It is the reaction to the forces on
+/// the particles, so that momentum is conserved. Zero before the first step.
 struct ObstacleLoad {
   Vec3d force{};   ///< N
   Vec3d torque{};  ///< N m, about the moved origin of the shape
@@ -45,8 +46,8 @@ class DrivenObstacle {
   /// Replaces the motion of the scene from now on. After a restart, call it before the first step. Throws
   /// std::invalid_argument for values that are not finite.
   void move(const ObstacleMotion& motion);
-  const Pose& pose() const;
-  /// Collective. The same bits on any number of ranks.
+  const Pose& pose() const;  ///< m, rad, at the time of the simulation
+  /// Returns force and torque of the last step. Collective. The same bits on any number of ranks.
   ObstacleLoad load() const;
 
  private:

@@ -13,8 +13,8 @@ namespace thaw {
 /// Values of the owned rows at the start of an edit.
 struct Edit {
   bool open = false;
-  std::vector<Vec3d> velocity;
-  std::vector<double> temperature;  ///< empty in a scene without heat
+  std::vector<Vec3d> velocity;      ///< m/s
+  std::vector<double> temperature;  ///< K, empty in a scene without heat
 };
 
 /// Returns an edit that starts from the current values.
@@ -30,8 +30,8 @@ std::string editProblem(const Continuum& particles, const Edit& edit);
 /// Sets velocities and temperatures back to their values at the start.
 void undoEdit(Continuum& particles, const Edit& edit);
 
-/// Records the changes as work, impulse and heat from outside in the ledger. Enthalpies follow the
-/// temperatures.
+/// Records the changes in the ledger: work m (v'^2 - v^2) / 2 (J), impulse m (v' - v) (N s), and heat (J) as
+/// the difference of enthalpies, which follow the temperatures (docs/theory/heat.md).
 void recordEdit(Continuum& particles, Ledger& ledger, const Scene& scene, const Edit& edit);
 
 }  // namespace thaw

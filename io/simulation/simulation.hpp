@@ -8,6 +8,9 @@
 //
 // All functions but the const ones are collective: every rank of the communicator calls them in the same
 // order. Simulations are independent of each other.
+//
+// Units are SI, temperatures K. Equations and their sources: docs/theory/index.md. Steps are kick-drift-kick
+// leap-frog (SP05).
 #pragma once
 #include <mpi.h>
 
@@ -33,6 +36,9 @@ struct BlewUp : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A simulation on the ranks of one communicator. Errors of scenes are SceneErrors (with file, line and
+/// column) or ShapeError, errors of files IoError, alike on all ranks. Calls at a wrong time, such as within
+/// a step, throw std::logic_error.
 class Simulation {
  public:
   /// Reads the scene file `options.scene` and makes its particles, or continues from the checkpoint in
@@ -53,9 +59,9 @@ class Simulation {
   /// Takes one step, with the surface, frames, ledger rows and checkpoints that are due after it. If the step
   /// fails and a retry is left, the simulation goes back to its last snapshot. At the end of the scene, and
   /// after a stop request (signal, stop file, time limit), takes no step and returns false. Throws BlewUp,
-  /// IoError.
+  /// IoError, and std::logic_error within a step or an edit.
   bool step();
-  /// Steps to the end of the scene, or to a stop request.
+  /// Steps to the end of the scene, or to a stop request. Throws as step() does, like the other runs.
   void run();
   /// Sets the time (s) that the next steps lead to.
   void setEnd(double time);
@@ -64,7 +70,7 @@ class Simulation {
   /// Takes a number of steps, fewer at the end of the scene.
   void runSteps(std::int64_t count);
   /// Writes the last checkpoint and the summary of a run with a folder. No step may follow. Returns the exit
-  /// code of `thaw run`.
+  /// code of `thaw run` (docs/reference/exit_codes.md). Throws as step() does.
   int finish();
   /// Returns true after a stop request; stopReason() names its cause.
   bool stopped() const;
@@ -88,18 +94,21 @@ class Simulation {
   int rank() const;
   int ranks() const;
 
-  /// The ledger over all ranks.
+  /// Returns the ledger over all ranks: energies and work (J), momentum (kg m/s), mass (kg), and their
+  /// residuals (core/simulation/ledger/report.hpp).
   LedgerReport ledger();
-  /// Rows of the ledger at the start, each frame and each output.ledger_every. Requires: RunOptions::history.
+  /// Rows of the ledger at the start, each frame and each output.ledger_every. Throws
+  /// std::logic_error without RunOptions::history.
   const LedgerHistory& history() const;
   /// Updates the surface to the current time. Requires: the scene has one.
   void updateSurface();
-  /// Writes a frame or a checkpoint now. Requires: a folder.
+  /// Writes a frame or a checkpoint now. Throws IoError, and std::logic_error without a folder or within an
+  /// edit. A checkpoint needs complete steps.
   void writeFrame();
   void writeCheckpoint();
   /// Goes back to the newest checkpoint in the folder, as a restart does. Keeps all functions that were
   /// added. Driven obstacles must be constructed again. If it throws (SceneErrors if there is no checkpoint,
-  /// IoError), the simulation is unchanged. Requires: a folder.
+  /// IoError), the simulation is unchanged. Throws std::logic_error without a folder.
   void restore();
 
   /// Functions that are called after every step, and after every frame. They are called again for steps that
@@ -109,14 +118,14 @@ class Simulation {
   /// Adds a function that is called after a phase of every step, on all ranks. The evaluations at
   /// the start and after edits call it too, for the phases that they run. It may read all fields that the
   /// phase has set, and write fields of extensions from a row's own fields. Rows move in
-  /// HookPhase::Redistribute.
+  /// HookPhase::Redistribute. Throws std::out_of_range for an unknown phase.
   void onPhase(HookPhase phase, std::function<void()> call);
   /// Adds a function that finish() calls before the last checkpoint.
   void onEnd(std::function<void()> call);
-  /// Adds a force or a source of heat from now on. After a restart, add those of the earlier run before the
-  /// first step. Its work, impulse and heat are in the ledger.
-  /// The automatic sound speed of liquids does not include it: give material.sound_speed, ten times the
-  /// largest speed of the flow.
+  /// Adds a force (N) or a source of heat (W) from now on, as OutsideLoad describes. After a restart, add
+  /// those of the earlier run before the first step. Its work, impulse and heat are in the ledger. The
+  /// automatic sound speed of liquids does not include it: give material.sound_speed, ten times the largest
+  /// speed of the flow.
   void addForce(OutsideSource source);
   /// Between beginEdit and endEdit, the program may change Continuum::velocity and temperature of owned rows.
   /// endEdit returns whether some rank changed one; forces and the next step are then computed anew. The

@@ -62,6 +62,12 @@ def test_drops_are_counted_across_periodic_sides(drops: str, jet: str) -> None:
     assert lines[0] == '0.0000 s: 0 drops, particles in the largest: []'
 
 
+def test_drops_are_plotted(drops: str, tmp_path: pathlib.Path) -> None:
+    pytest.importorskip('matplotlib')
+    runExample('drops.py', drops, str(tmp_path / 'drops.png'))
+    assert isPicture(tmp_path / 'drops.png')
+
+
 def test_drops_are_those_of_a_brute_force_search() -> None:
     sys.path.insert(0, str(EXAMPLES))
     from drops import drops as dropsOf
@@ -122,6 +128,11 @@ def isPicture(path: pathlib.Path) -> bool:
     return path.read_bytes().startswith(b'\x89PNG')
 
 
+def pictureFor(folder: pathlib.Path) -> list[str]:
+    """The argument of a script that names its picture; none without matplotlib."""
+    return [str(folder / 'picture.png')] if importlib.util.find_spec('matplotlib') else []
+
+
 def test_melting_fronts_follow_neumanns_solution(tmp_path: pathlib.Path) -> None:
     pytest.importorskip('matplotlib')
     needsSimulations()
@@ -168,11 +179,13 @@ def test_a_lamp_holds_its_set_point(tmp_path: pathlib.Path) -> None:
     assert numbers(r'within ([\d.]+) K', out)[0] < 0.5 and isPicture(tmp_path / 'lamp.png')
 
 
-def test_an_optimisation_reaches_its_melting_time() -> None:
+def test_an_optimisation_reaches_its_melting_time(tmp_path: pathlib.Path) -> None:
     pytest.importorskip('scipy')
     needsSimulations()
-    out = runWithCore('optimise.py', '0.35')
+    picture = pictureFor(tmp_path)
+    out = runWithCore('optimise.py', '0.35', *picture)
     assert min(abs(t - 0.35) for t in numbers(r'degC: ([\d.]+) s', out)) < 0.003
+    assert all(isPicture(pathlib.Path(path)) for path in picture)
 
 
 def test_energies_are_drawn_during_the_run(tmp_path: pathlib.Path) -> None:
@@ -183,9 +196,11 @@ def test_energies_are_drawn_during_the_run(tmp_path: pathlib.Path) -> None:
     assert not (tmp_path / 'live.png.part').exists()
 
 
-def test_a_coupled_pendulum_gives_its_energy_to_the_water() -> None:
+def test_a_coupled_pendulum_gives_its_energy_to_the_water(tmp_path: pathlib.Path) -> None:
     needsSimulations()
-    out = runWithCore('coupling.py', '0.4')
+    picture = pictureFor(tmp_path)
+    out = runWithCore('coupling.py', '0.4', *picture)
+    assert all(isPicture(pathlib.Path(path)) for path in picture)
     lost, got = numbers(r'([-\d.]+) J', out.splitlines()[-1])
     assert lost > 10 and abs(lost - got) < 0.02 * lost
     if shutil.which('mpirun') and importlib.util.find_spec('mpi4py'):

@@ -100,6 +100,23 @@ def test_entries_of_lists_are_set_by_name_or_number() -> None:
         scene['body.ball.sphere.box.size']
 
 
+def test_a_scene_of_a_scene_is_a_copy_with_other_keys() -> None:
+    first = thaw.Scene({'spacing': 0.01, 'body': [{'name': 'ball', 'sphere': {'radius': 0.1}}]}, name='ball')
+    other = thaw.Scene(first, end=3)
+    other['body.ball.sphere.radius'] = 0.2
+    assert other.name == 'ball' and other.keys['end'] == 3
+    assert first['body.ball.sphere.radius'] == 0.1 and 'end' not in first.keys
+    file = thaw.Scene(thaw.Scene(pathlib.Path('melt.toml'), spacing=0.02), body__bust__velocity=[0, 0, 1])
+    assert file.name == 'melt.toml' and file.keys is None
+    assert file.overrides == {'spacing': 0.02, 'body.bust.velocity': [0, 0, 1]}
+
+
+def test_other_kinds_of_scenes_are_refused() -> None:
+    for value, got in ((5, '5'), ([1], r'\[1\]'), ('spacing = 1\nend = 2\n', 'a text of several lines')):
+        with pytest.raises(TypeError, match='scene: expected a path, a dict or a Scene, got ' + got):
+            thaw.Scene(value)
+
+
 def test_builders_have_the_keys_of_the_table(core) -> None:
     scene = thaw.Scene(
         spacing='5 cm',

@@ -42,6 +42,17 @@ def path(name: str, value: Any) -> str:
     return os.fspath(value)
 
 
+def scene(value: Any) -> str:
+    """The path of a scene file."""
+    if not isinstance(value, (str, os.PathLike)):
+        raise _refuse("scene", "a path, a dict or a Scene", value)
+    if "\n" in os.fspath(value):
+        raise TypeError(
+            "scene: expected a path, a dict or a Scene, got a text of several lines: save it as a file"
+        )
+    return os.fspath(value)
+
+
 def mapping(name: str, value: Any) -> Mapping[str, Any]:
     """A dict or another mapping."""
     if not isinstance(value, Mapping):

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import copy
 import inspect
 import json
 import math
@@ -86,19 +87,29 @@ class Scene(metaclass=_Completed):
         Scene("melt.toml")                        # a file; keywords override its keys
         Scene(spacing="1 cm", end=2, body=[...])  # keys of a scene file
         Scene({"spacing": 0.01, ...})             # the same as a dict
+        Scene(scene, end=3)                       # a copy of a Scene, with other keys
 
-    Values are texts with units, or numbers in SI units.
+    Values are texts with units, or numbers in SI units. Raises TypeError for other kinds of scenes.
     """
 
-    def __init__(self, scene: Union[str, Mapping[str, Any], None] = None, name: str = "scene", **keys: Any):
+    def __init__(
+        self,
+        scene: Union[str, os.PathLike[str], Mapping[str, Any], "Scene", None] = None,
+        name: str = "scene",
+        **keys: Any,
+    ):
         self.overrides: dict[str, Any] = {}
+        if isinstance(scene, Scene):
+            name = scene.name if scene.keys is None or name == "scene" else name
+            self.overrides = copy.deepcopy(scene.overrides)
+            scene = scene.name if scene.keys is None else copy.deepcopy(scene.keys)
         if scene is None or isinstance(scene, Mapping):
             self.name = name or "scene"
             self.keys: Optional[dict[str, Any]] = builderKeys({**(scene or {}), **keys})
         else:
-            self.name = arguments.path("scene", scene)
+            self.name = arguments.scene(scene)
             self.keys = None
-            self.overrides = {key.replace("__", "."): value for key, value in keys.items()}
+            self.overrides.update({key.replace("__", "."): value for key, value in keys.items()})
 
     @classmethod
     def of(cls, scene: Union[str, "Scene", Mapping[str, Any]]) -> "Scene":

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Installs the build folder $1 to a temporary prefix. The programs of examples/cpp, which see only the
-# installed files, step scenes: from code, from text, and from a file with the result of `thaw run`.
+# installed files, step scenes: from code, from text, and from a file with the result of `thaw run`. So do the
+# programs that docs/howto/library.md prints.
 set -euo pipefail
 build=${1:?usage: consumer_test.sh BUILD_FOLDER}
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -27,12 +28,14 @@ cp -r "$root/examples/cpp" "$consumer"
 generator=$(sed -n 's/^CMAKE_GENERATOR:INTERNAL=//p' "$build/CMakeCache.txt")
 compiler=$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' "$build/CMakeCache.txt")
 flags=$(sed -n 's/^THAW_SANITIZE:STRING=\(.\+\)/-fsanitize=\1/p' "$build/CMakeCache.txt")
-(cd "$consumer" && cmake -G "$generator" -B build -DCMAKE_PREFIX_PATH="$prefix" \
-  -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS="$flags" >log 2>&1 && cmake --build build >>log 2>&1) ||
-  { cat "$consumer/log"; exit 1; }
+buildProgram() {  # buildProgram FOLDER: into FOLDER/build
+  (cd "$1" && cmake -G "$generator" -B build -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_COMPILER="$compiler" \
+    -DCMAKE_CXX_FLAGS="$flags" >log 2>&1 && cmake --build build >>log 2>&1) || { cat "$1/log"; exit 1; }
+}
+buildProgram "$consumer"
 "$consumer/build/falling_cube"
-"$consumer/build/trap"
-for example in capsule mooney attraction phases; do "$consumer/build/$example"; done
+"$consumer/build/phases"
+for example in trap capsule mooney attraction; do "$consumer/build/$example" "$dir/$example"; done
 
 # A field is in frames, and continues after a restart.
 "$consumer/build/lamp"
@@ -67,8 +70,42 @@ print(f'particles {last["particles"]}\nstep {last["step"]}\ntime {last["time"]:.
 END
 diff "$dir/found" "$dir/expected" || fail "the consumer's steps differ from those of thaw run"
 
-mpirun -n 3 "$consumer/build/two_groups" "$scene" | sort >"$dir/groups"
+mpirun -n 3 "$consumer/build/two_groups" "$scene" "$dir/two_groups" | sort >"$dir/groups"
 [ "$(grep -c '^group [01]: ' "$dir/groups")" = 2 ] || fail "both groups step: $(cat "$dir/groups")"
+
+# The picture of the manual.
+if "$python" -c 'import matplotlib' 2>/dev/null; then
+  PYTHONPATH=$root/python "$python" "$consumer/plot.py" "$dir" "$dir/examples.png"
+  head -c 4 "$dir/examples.png" | grep -q PNG || fail "the picture of the examples"
+fi
 
 source=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$build/CMakeCache.txt")
 if grep -rlF -e "$source/" "$prefix/lib"*/cmake; then fail "the installed package names the source tree"; fi
+
+# Files of the manual are blocks whose first line names them. Programs of one source file need no instruction
+# sets.
+manual=$dir/manual
+mkdir "$manual"
+awk -v folder="$manual/" '/^```/ { file = "" }
+  start && /^(\/\/|#) [A-Za-z_]+\.(cpp|txt|toml)(,|$)/ { file = folder $2; sub(/,$/, "", file) }
+  { start = /^```(cpp|cmake|toml)/ }
+  file != "" { print > file }' "$root/docs/howto/library.md"
+for program in springs quartic pebble; do
+  folder=$dir/$program
+  mkdir "$folder"
+  cp "$manual/$program"* "$folder"
+  sed "s/springs/$program/g" "$manual/CMakeLists.txt" >"$folder/CMakeLists.txt"
+  [ -f "$folder/${program}_isa.cpp" ] || sed -i '/^thaw_instruction_sets/d' "$folder/CMakeLists.txt"
+  buildProgram "$folder"
+  (cd "$folder" && build/"$program" >log 2>&1) || { cat "$folder/log"; fail "$program of the manual"; }
+  "$python" - "$folder/out/$program/summary.json" "$program" <<'END'
+import json, sys
+summary = json.load(open(sys.argv[1]))
+ledger = summary['ledger']
+energy = ledger['now']['kinetic_J'] + ledger['now']['elastic_J']
+residual = ledger['residual']['mechanical_energy_J']
+assert summary['status'] == 'done' and not summary['warnings'], summary['warnings']
+assert any(sys.argv[2] in line for line in summary['modules']), summary['modules']
+assert abs(residual) < 5e-3 * energy, (residual, energy)
+END
+done

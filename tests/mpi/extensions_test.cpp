@@ -512,6 +512,17 @@ TEST(ExtensionShapes, AreRefusedWithTheirPlace) {
   EXPECT_NE(messageOf(start + "ball = { size = -1 }\n").find("ball.size"), std::string::npos);
 }
 
+TEST(Extensions, OfASceneAreListedOnce) {
+  const std::string text = blocksWith("copy", "copy",
+                                      "[extension.shade]\n[[obstacle]]\nname = \"lid\"\n"
+                                      "ball = { size = 0.1 }\nplace = { move = [0, 0, 0.9] }\n");
+  const Simulation sim = simulationOf(text, MPI_COMM_SELF);
+  EXPECT_EQ(usedExtensionNames(sim.scene()), "shade, copy, ball");
+  EXPECT_EQ(std::count(sim.world().modules.why.begin(), sim.world().modules.why.end(),
+                       "extension 'copy': " + findExtension("copy")->about),
+            1);
+}
+
 TEST(Hooks, RunAfterEachPhase) {
   Simulation sim = simulationOf(drop);
   std::string order;
@@ -536,6 +547,9 @@ TEST(Extensions, WithoutPartsOrWithTakenNamesAreRefused) {
   };
   for (const char* name : {"velocity", "density", "age", "two words", ""})
     EXPECT_THROW(registerExtension(withField(name)), std::invalid_argument) << name;
+  Extension shape = test::copyOfBall();
+  shape.name = "torus";
+  EXPECT_THROW(registerExtension(shape), std::invalid_argument);
   Extension many = test::copyOfNeoHookean();
   many.name = "many";
   for (int k = 0; k < 9; k++) many.keys.push_back({"key" + std::to_string(k), "", 0});

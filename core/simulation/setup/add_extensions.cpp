@@ -15,18 +15,6 @@ const Extension& extensionOf(const std::string& name) {
   return *e;
 }
 
-/// Adds an extension to the list of active modules and their reasons, unless it is already listed.
-void describe(Modules& modules, const Extension& e) {
-  const std::string line = "extension '" + e.name + "': " + e.about;
-  std::vector<std::string>& why = modules.why;
-  if (std::find(why.begin(), why.end(), line) == why.end()) why.push_back(line);
-}
-
-void describeShape(Modules& modules, const Shape& s) {
-  if (s.kind == ShapeKind::Extension) describe(modules, extensionOf(s.extension.name));
-  for (const Shape& part : s.parts) describeShape(modules, part);
-}
-
 void lower(StepLimits& limits, double limit) {
   double& least = limits[Limit::Extension];
   least = std::min(least, limit);
@@ -64,7 +52,6 @@ void addExtensions(World& w, TermWork& terms, StepLimits& limits) {
   declareFields(w.scene, w.particles);
   for (const ExtensionSettings& settings : w.scene.extensions) {
     const Extension& e = extensionOf(settings.name);
-    describe(w.modules, e);
     if (e.heats && !w.modules.heat)
       throw std::runtime_error(
           "extension '" + e.name +
@@ -78,14 +65,11 @@ void addExtensions(World& w, TermWork& terms, StepLimits& limits) {
   for (const Extension* term : modelTerms())
     if (term->pairForce.kernels.sum && isUsed(*term, w.scene, w.modules))
       addPairForce(w, terms, limits, *term, none);
-  for (const Material& m : w.scene.materials)
-    if (const Extension& law = extensionOf(m.law.name); !law.builtIn) describe(w.modules, law);
-  for (const Body& b : w.scene.bodies) describeShape(w.modules, b.shape);
-  for (const Obstacle& o : w.scene.obstacles) describeShape(w.modules, o.shape);
-  for (const OrientedBody& b : w.scene.oriented) describeShape(w.modules, b.shape);
-  eachTermElement(w.scene, [&](const Extension&, const TermTable&, const TermElement& element) {
-    if (element.shape) describeShape(w.modules, *element.shape);
-  });
+  std::vector<std::string>& why = w.modules.why;
+  for (const Extension* e : usedExtensions(w.scene))
+    if (const std::string line = "extension '" + e->name + "': " + e->about;
+        std::find(why.begin(), why.end(), line) == why.end())
+      why.push_back(line);
 }
 
 }  // namespace thaw

@@ -10,6 +10,7 @@
 
 #include "core/simulation/ledger/totals.hpp"
 #include "core/simulation/world/body_types.hpp"
+#include "core/terms/extensions.hpp"
 #include "io/hdf5/parallel_file.hpp"
 #include "io/run/reports/process_identity.hpp"
 #include "io/text/counted.hpp"
@@ -64,6 +65,28 @@ std::string sidesLeft(const Counters& c) {
   return text;
 }
 
+/// Returns the first entries of a summary: program, status, scene, modules, numbers of particles.
+Json runJson(const RunSummary& s) {
+  Json j;
+  j["code"] = "thaw";
+  j["version"] = versionNumber();
+  j["commit"] = versionCommit();
+  j["status"] = s.status;
+  j["message"] = s.message;
+  if (s.status == "running") j["process"] = processJson();
+  j["scene"] = s.sceneFile;
+  j["title"] = s.title;
+  j["modules"] = s.modules;
+  j["extensions"] = s.extensions;
+  j["ranks"] = s.ranks;
+  bool bodyTypes = false;
+  for (const std::int64_t rows : s.ledger.rows) bodyTypes = bodyTypes || rows > 0;
+  if (s.ledger.particles > 0 || !bodyTypes) j["particles"] = s.ledger.particles;
+  for (std::size_t k = 0; k < bodyTypeCount; k++)
+    if (s.ledger.rows[k] > 0) j[bodyTypeNames[k]] = s.ledger.rows[k];
+  return j;
+}
+
 }  // namespace
 
 double peakMemory() {
@@ -110,6 +133,8 @@ void gatherSummary(RunSummary& s, const World& w, const PhaseTimes& times,
   s.clock = w.clock;
   s.ranks = all.size();
   s.modules = w.modules.why;
+  s.extensions.clear();
+  for (const Extension* e : usedExtensions(w.scene)) s.extensions.push_back(e->name);
   s.sceneFile = w.scene.file;
   s.title = w.scene.title;
 }
@@ -125,22 +150,7 @@ Counters sumOfCounters(const Counters& own, Reducer& all) {
 }
 
 void writeSummary(const std::string& out, const RunSummary& s, const std::string& name) {
-  Json j;
-  j["code"] = "thaw";
-  j["version"] = versionNumber();
-  j["commit"] = versionCommit();
-  j["status"] = s.status;
-  j["message"] = s.message;
-  if (s.status == "running") j["process"] = processJson();
-  j["scene"] = s.sceneFile;
-  j["title"] = s.title;
-  j["modules"] = s.modules;
-  j["ranks"] = s.ranks;
-  bool bodyTypes = false;
-  for (const std::int64_t rows : s.ledger.rows) bodyTypes = bodyTypes || rows > 0;
-  if (s.ledger.particles > 0 || !bodyTypes) j["particles"] = s.ledger.particles;
-  for (std::size_t k = 0; k < bodyTypeCount; k++)
-    if (s.ledger.rows[k] > 0) j[bodyTypeNames[k]] = s.ledger.rows[k];
+  Json j = runJson(s);
   j["time_s"] = s.clock.time;
   j["end_s"] = s.clock.end;
   j["step"] = s.clock.step;
