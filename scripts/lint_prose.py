@@ -30,7 +30,7 @@ RETIRED = (
     (r'leap(s|t|ed)?(?!-frog)', None, 'project to the iso-surface'),
     (r'calm(s|ed|er)?', None, 'at rest, rest time'),
     (r'champions?', 'Champion', 'local maximum'),
-    (None, r'keepOut\b|keepEnclosed', 'projectOutOfObstacles, attachEnclosed'),
+    (None, r'keepOut\b|keepEnclosed|keepVolume', 'projectOutOfObstacles, attachEnclosed, enforceVolume'),
     (
         None,
         r'(?i:near_?gaps|gap_?ceilings?|film_?room|open_?region|mixed_?bins)',
@@ -46,6 +46,7 @@ RETIRED = (
     (None, r'(most|more)Halvings|[.>]halvings', 'backoff'),
     (r'wanted volumes?', 'wantedVolume', 'target volume'),
     (r'standoffs?', None, 'contact offset'),
+    (r'kinds of bod(y|ies)', r'bodyKinds?\b', 'body type'),
     (None, 'homeTurn', 'rest orientation'),
     (None, 'workingLoad|underWay', 'impulse in flight'),
     (r'alarms?|good states?|patience', 'goodState', 'failure, snapshot, rollback, backoff'),

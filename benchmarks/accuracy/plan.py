@@ -28,7 +28,7 @@ SURFACE = {
     "surface.support": ["4", "6"],
     "surface.particle_support": ["1", "1.5"],
     "surface.iso_level": ["0.4", "0.6"],
-    "surface.keep_volume": ["1"],
+    "surface.enforce_volume": ["1"],
 }
 # h_ss at a quarter of a particle spacing; 8 is the paper's h_ss = h there
 FINE_SURFELS = {"surface.spacing=0.015625 surface.support": ["3", "4", "6", "8"]}
@@ -268,19 +268,19 @@ CASES = {
         {
             "surface.smoothing": ["plane"],
             "surface.particle_support": ["1", "1.5"],
-            "surface.keep_volume": ["1"],
+            "surface.enforce_volume": ["1"],
         },
     ),
     "surface_spin": (["0.25", "0.125"], "0.125", {}),
     "surface_melt": (
         ["0.00833333333333333", "0.00625"],
         "0.00833333333333333",
-        {"surface.keep_volume": ["0"]},
+        {"surface.enforce_volume": ["0"]},
     ),
     "surface_merge": (
         ["0.166666666666667", "0.125", "0.1"],
         "0.125",
-        {"surface.keep_volume": ["1"], "surface.particle_support": ["1.5"]},
+        {"surface.enforce_volume": ["1"], "surface.particle_support": ["1.5"]},
     ),
     "surface_split": (
         ["0.166666666666667", "0.125", "0.1"],

@@ -20,7 +20,7 @@
 namespace thaw {
 namespace {
 
-// Fractions of the exposure of a flat surface. Inside a liquid, disorder gives up to 0.4, but less than 0.1
+// Fractions of the gradient at a flat surface. Inside a liquid, disorder gives up to 0.4, but less than 0.1
 // on average over neighbours.
 constexpr double leastExposure = 0.05, noise[2] = {0.4, 0.7}, meanNoise[2] = {0.06, 0.12};
 
@@ -111,7 +111,8 @@ double wallGradient(const WallTables& tables, double distance) {
   return (tables(at - step).space - tables(at + step).space) / (2 * step);
 }
 
-/// Returns the direction of the mean exposure around a particle. Its length is 0 inside and 1 at a surface.
+/// Returns the direction of the mean volume gradient around a particle. Its length is 0 inside and 1 at a
+/// surface.
 template<class Neighbours>
 Vec3d surfaceDirection(const EvaporationView& v, std::uint32_t i, double flat, Neighbours&& neighbours) {
   const Scene& s = v.heat.scene;
@@ -122,8 +123,9 @@ Vec3d surfaceDirection(const EvaporationView& v, std::uint32_t i, double flat, N
            withKernel(s.numerics.kernel, [&](auto kernel) { return kernel.w(q2); });
   };
   Vec3d mean{};
-  neighbours([&](std::uint32_t j, const Vec3d&, double q2) { mean += wide(p.exposure[j]) * weight(j, q2); });
-  const Vec3d own = wide(p.exposure[i]);
+  neighbours(
+      [&](std::uint32_t j, const Vec3d&, double q2) { mean += wide(p.volumeGradient[j]) * weight(j, q2); });
+  const Vec3d own = wide(p.volumeGradient[i]);
   const double alone = ramp(length(own) / flat, noise),
                gate = std::max(alone, ramp(length(mean) / flat, meanNoise));
   const Vec3d direction = mean + own * (alone * weight(i, 0));
@@ -146,13 +148,13 @@ double areaOf(const EvaporationView& v, std::uint32_t i, double flat, Neighbours
   const auto add = [&](std::uint32_t j, const Vec3d& d) {
     const Vec3d aside = d - n * dot(d, n);
     const double near = 1 - dot(aside, aside), V = volumeOf(s, p, j),
-                 part = near * near * dot(wide(p.exposure[j]), n);
+                 part = near * near * dot(wide(p.volumeGradient[j]), n);
     all += V * part;
     shares += std::sqrt(V) * std::max(part, 0.0);
   };
   add(i, {});
   neighbours([&](std::uint32_t j, const Vec3d& d, double) { add(j, d); });
-  const double own = std::sqrt(volumeOf(s, p, i)) * dot(wide(p.exposure[i]), n);
+  const double own = std::sqrt(volumeOf(s, p, i)) * dot(wide(p.volumeGradient[i]), n);
   if (!(own > 0 && all > 0)) return 0;
   return gate * own * (all / shares);
 }
@@ -249,7 +251,7 @@ void findExposure(const EvaporationView& v) {
   Continuum& p = v.heat.particles;
   const double h = v.records.grid.support, flat = flatLatticeIndicator(s.numerics),
                scale = 2 * s.spacing / (h * h * h * h);
-  std::fill_n(p.exposure.data(), p.owned, Vec3f{});
+  std::fill_n(p.volumeGradient.data(), p.owned, Vec3f{});
   const auto select = [&](std::uint32_t i) {
     return evaporates(s, p, i) && static_cast<double>(p.freeSurfaceIndicator[i]) > leastExposure * flat;
   };
@@ -264,10 +266,10 @@ void findExposure(const EvaporationView& v) {
       add(d, q2);
       if (walls.count > 0) eachImage(walls, d, add);
     });
-    Vec3d exposure = sum * scale;
+    Vec3d gradient = sum * scale;
     for (std::size_t k = 0; k < walls.count; k++)
-      exposure -= walls.normal[k] * (2 * s.spacing / h * wallGradient(v.tables, walls.distance[k]));
-    p.exposure[i] = single(exposure);
+      gradient -= walls.normal[k] * (2 * s.spacing / h * wallGradient(v.tables, walls.distance[k]));
+    p.volumeGradient[i] = single(gradient);
   });
 }
 
@@ -279,7 +281,7 @@ void findVapour(const EvaporationView& v, const WallContext& walls, std::span<co
   std::fill_n(p.vapour.data(), p.owned, 0.0);
   std::fill_n(p.vapourEnergy.data(), p.owned, 0.0);
   const auto select = [&](std::uint32_t i) {
-    const Vec3f& e = p.exposure[i];
+    const Vec3f& e = p.volumeGradient[i];
     return e.x != 0 || e.y != 0 || e.z != 0;
   };
   eachRow(v, select, [&](std::uint32_t i, auto&& neighbours) {

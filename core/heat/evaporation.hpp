@@ -31,14 +31,14 @@ struct EvaporationView {
 /// rate is 0.
 double meanRate(const TemperatureTable& rate, double T, double cooling, double dt);
 
-/// Sets Continuum::exposure of liquids that evaporate: twice the spacing times the gradient of the volume
-/// fraction of neighbours and walls.
-/// Requires: Continuum::freeSurfaceIndicator, of pairs alone; positions and masses of ghosts.
+/// Sets Continuum::volumeGradient of liquids that evaporate: twice the spacing times the gradient of the
+/// volume fraction of neighbours and walls. Requires: Continuum::freeSurfaceIndicator, of pairs alone;
+/// positions and masses of ghosts.
 void findExposure(const EvaporationView& view);
 
 /// Sets Continuum::vapour, the mass that evaporates over the step of dt (s) that ends now, and
 /// Continuum::vapourEnergy.
-/// Requires: exposure, relativeDensity and derivatives of the surface energy of ghosts. pairEnergy: J,
+/// Requires: volumeGradient, relativeDensity and derivatives of the surface energy of ghosts. pairEnergy: J,
 /// compression and tension of owned rows.
 /// Ensures: the latent heat is subtracted from heatFlow, and recorded in Ledger::heatIn and vapourHeat.
 /// The area of a particle is its volume times the component of the gradient along the surface's normal. It is

@@ -290,11 +290,11 @@ struct SurfaceSettings {
   double leastLevel = 0.2;       // 1, I_min of the implicit constraint
   double damping = 1;            // 1, alpha of the integration
   std::int64_t iterations = 40;  // iteration limit per update
-  double stop = 0.01;     // 1, a surfel stops if it and its neighbours move less than this fraction of its
-                          // spacing
-  double adapt = 0;       // 1, smallest spacing on curved surfaces over the target spacing; 0: uniform
-  double keepVolume = 1;  // 1, weight of the force that keeps a liquid component's volume equal to its
-                          // particles' volume; 0: none
+  double stop = 0.01;        // 1, a surfel stops if it and its neighbours move less than this fraction of its
+                             // spacing
+  double adapt = 0;          // 1, smallest spacing on curved surfaces over the target spacing; 0: uniform
+  double enforceVolume = 1;  // 1, weight of the force that keeps a liquid component's volume equal to its
+                             // particles' volume; 0: none
   MergeRule merge = MergeRule::Liquid;
   double linkLength = 1.5;  // spacings, link radius: particles of one component are connected up to this
                             // distance

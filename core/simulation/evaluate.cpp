@@ -48,7 +48,8 @@ void findDensities(StepContext& c) {
     t.times.lap(StepPhase::Exchange);
     sumDensities(c, Part::Boundary, ModulePhase::BoundaryRows);
   }
-  // density near walls, shifting, viscosity of flow laws, tension at walls, contacts of bodies, exposure
+  // density near walls, shifting, viscosity of flow laws, tension at walls, contacts of bodies, volume
+  // gradients
   runPhase(ModulePhase::Density, c);
   t.times.lap(StepPhase::Contact);
 }

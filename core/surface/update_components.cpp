@@ -39,7 +39,7 @@ void enforceVolume(const SurfaceView& w, SurfaceHalos halos, TopologyTools& t, b
   Surface& s = w.surface;
   std::vector<VolumeMove> moves;
   for (int k = 0; k < 4 && volumesDeviate(s, start); k++) {
-    offsetToVolume(s, t.areas.bins, w.scene.surface.keepVolume, w.scene.spacing, start, moves);
+    offsetToVolume(s, t.areas.bins, w.scene.surface.enforceVolume, w.scene.spacing, start, moves);
     reprojectOutOfWalls(w);
     refreshGhosts(halos.surfels, s.surfels, ColumnList{&s.surfels.position});
     measureAll(s, halos, t, true);
@@ -117,7 +117,7 @@ void measureSurface(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& tool
   addSurfelGhosts(s, halos);
   placeParticles(w.surface, halos, tools);
   measureAll(s, halos, t);
-  if (w.scene.surface.keepVolume > 0 && s.lastStep >= 0) enforceVolume(w, halos, t, start);
+  if (w.scene.surface.enforceVolume > 0 && s.lastStep >= 0) enforceVolume(w, halos, t, start);
   dropGhosts(s.surfels, s.surfelCells);
 }
 

@@ -56,7 +56,7 @@ void resampleStart(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t) {
 
 /// Enforces the volume of grown surfaces. Surfaces whose rims moved together are resampled once more.
 void enforceStartVolume(const SurfaceView& w, SurfaceHalos halos, SurfaceTools& t) {
-  const bool off = w.scene.surface.keepVolume > 0 && volumesDeviate(w.surface, true);
+  const bool off = w.scene.surface.enforceVolume > 0 && volumesDeviate(w.surface, true);
   measureSurface(w, halos, t, true);
   if (!off) return;
   const SurfaceCounters before = w.surface.counters;

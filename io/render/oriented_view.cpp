@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 
 #include "io/frames/read_oriented_frame.hpp"
@@ -42,7 +43,7 @@ void addRod(FrameView& view, const Vec3d& from, const Vec3d& to, double radius, 
   const int steps = std::max(2, static_cast<int>(std::ceil(l / (0.9 * radius))));
   for (int k = 0; k <= steps; k++)
     for (int a = 0; a < 8; a++) {
-      const double angle = (a + 0.5 * (k % 2)) * 0.78539816339744831;
+      const double angle = (a + 0.5 * (k % 2)) * (std::numbers::pi / 4);
       const Vec3d out = std::cos(angle) * u + std::sin(angle) * v;
       addDisc(view,
               {single(from + (static_cast<double>(k) / steps) * along + radius * out), single(out),

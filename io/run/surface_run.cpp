@@ -87,7 +87,7 @@ void gatherSurface(Run& r) {
   s.surfels = surfels;
   s.seconds = seconds;
   s.spacing = w.surface.spacing;
-  s.keepsVolume = w.scene.surface.keepVolume > 0;
+  s.keepsVolume = w.scene.surface.enforceVolume > 0;
   s.lastStep = w.surface.lastStep;
   s.counters = w.surface.counters;
   s.components = w.surface.components;

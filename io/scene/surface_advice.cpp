@@ -91,10 +91,10 @@ std::vector<std::string> surfaceAdvice(const Scene& scene) {
                      "recommended, 0 for the same spacing everywhere",
                      s.adapt, 1 / (s.adapt * s.adapt)));
   advise(
-      s.keepVolume > 0 && s.keepVolume < 0.5, "keep_volume",
+      s.enforceVolume > 0 && s.enforceVolume < 0.5, "enforce_volume",
       fmt::format(
           "is {:g}: volume is only partly kept (a drop was 3 % off at 0.1); 1 is recommended, or 0 for none",
-          s.keepVolume));
+          s.enforceVolume));
   advise(s.linkLength < 1.3, "link_length",
          fmt::format("is {:g}: slightly strained bodies fall apart into components; 1.4 to 2 is recommended",
                      s.linkLength));

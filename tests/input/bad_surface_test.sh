@@ -28,7 +28,7 @@ surfaceKey damping 2 "damping is 2"
 surfaceKey iterations 1 "iterations is 1"
 surfaceKey stop 1 "stop is 1"
 surfaceKey adapt 0.001 "adapt is 0.001: 1000000 surfels"
-surfaceKey keep_volume 0.1 "keep_volume is 0.1"
+surfaceKey enforce_volume 0.1 "enforce_volume is 0.1"
 surfaceKey link_length 4 "link_length is 4"
 rejects "a surface far within its particles" \
   "level.toml:11:[0-9]+: error: surface.iso_level.* between 0.2 and 0.8" \

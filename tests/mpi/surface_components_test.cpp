@@ -45,7 +45,7 @@ struct World3 {
   SurfaceRig rig;
   World3() {
     rig.world.scene.domain.side[0] = {Side::Periodic, Side::Periodic};
-    rig.world.scene.surface.keepVolume = 0.5;
+    rig.world.scene.surface.enforceVolume = 0.5;
     prepareSurface(rig.world);
   }
 };

@@ -163,10 +163,10 @@ TEST(Fields, SurfaceAddsTwoToParticlesAndItsOwnTables) {
       if (n.compare(0, 8, "surfels.") != 0 && n.compare(0, 18, "surface particles.") != 0) names.push_back(n);
     return names;
   };
-  s.surface.keepVolume = 0;
+  s.surface.enforceVolume = 0;
   EXPECT_EQ(ofParticles(),
             (Names{"continuum.surfacePosition", "continuum.component", "continuum.initialFill"}));
-  s.surface.keepVolume = 1;
+  s.surface.enforceVolume = 1;
   EXPECT_EQ(ofParticles(), (Names{"continuum.surfacePosition", "continuum.component",
                                   "continuum.surfaceVolumeRatio", "continuum.initialFill"}));
   s.bodies[0].packing = Packing::Relaxed;

@@ -108,7 +108,7 @@ double volumeError(const Trial& r, double from) {
 std::vector<Figure> measureMelt(Trial& r) {
   const SurfelCloud cloud = cloudOf(r);
   const World& w = r.world;
-  const double bar = w.scene.surface.keepVolume > 0 ? 0.01 : never,
+  const double bar = w.scene.surface.enforceVolume > 0 ? 0.01 : never,
                n = sum(r, [](const World&, std::size_t) { return 1.0; });
   const double liquid = sum(r, [](const World& x,
                                   std::size_t i) { return static_cast<double>(x.particles.liquid[i]); }) /

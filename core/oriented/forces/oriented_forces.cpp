@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/halo/exchange.hpp"
 #include "core/math/hash_random.hpp"
@@ -62,7 +63,7 @@ WallReaction wallReaction(const OrientedView& w, const Wall& wall, std::size_t i
 /// normals have no torque (docs/validation/stability.md, row 17).
 Vec3d antiparallelTorque(const Scene& scene, const PairPotential& p, std::uint64_t a, std::uint64_t b,
                          const Vec3d& n) {
-  const double angle = 6.283185307179586 *
+  const double angle = 2 * std::numbers::pi *
                        randomUniform(scene.seed, Purpose::OrientedKick, std::min(a, b), std::max(a, b));
   const Vec3d e = std::abs(n.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0}, u = normalized(cross(n, e)),
               v = cross(n, u);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <unordered_set>
 
@@ -68,7 +69,7 @@ std::uint32_t nextBorderVertex(const OrientedPoints& p, const std::vector<std::u
   for (const std::uint32_t way : ways) {
     const Vec3d d = p.positions[way] - p.positions[at];
     double turn = -std::atan2(dot(d, v), dot(d, u));  // clockwise
-    if (turn <= 0) turn += 6.283185307179586;
+    if (turn <= 0) turn += 2 * std::numbers::pi;
     if (turn < least) least = turn, best = way;
   }
   return best;

@@ -24,7 +24,7 @@ struct HeatFields : FieldGroup {
       "power of lamps, lasers and heated regions into the particle", Rows::Owned};
   Column<Vec3f> contactNormal{table, "contactNormal", "1", Keep::Transient,
       "normal of its contact with other bodies, away from them; 0: no contact (core/heat/contact_heat.hpp)"};
-  Column<Vec3f> exposure{table, "exposure", "1", Keep::Transient,
+  Column<Vec3f> volumeGradient{table, "volumeGradient", "1", Keep::Transient,
       "spacing times the gradient of the neighbours' volume fraction: points into the body at its surface"};
   Column<double> vapour{table, "vapour", "kg", Keep::State,
       "mass that leaves it as vapour at the start of the next step", Rows::Owned};

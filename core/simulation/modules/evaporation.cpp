@@ -46,7 +46,7 @@ StepModule evaporation() {
               findVapour(evaporationView(c.w, c.t), c.walls, c.t.phaseChange.energy.ofPairs, c.dt);
             }}},
           [](Continuum& p) {
-            return GhostColumns{{}, {&p.exposure}};
+            return GhostColumns{{}, {&p.volumeGradient}};
           }};
 }
 

@@ -52,7 +52,7 @@ void activateHeat(Continuum& p, const Scene& s, const Modules& m) {
   turnOn(p, correctsConduction(s, m), {&p.conductionCorrection});
   turnOn(p, m.lamps, {&p.absorbed});
   turnOn(p, m.contactConductance, {&p.contactNormal});
-  turnOn(p, m.evaporation, {&p.freeSurfaceIndicator, &p.exposure, &p.vapour, &p.vapourEnergy});
+  turnOn(p, m.evaporation, {&p.freeSurfaceIndicator, &p.volumeGradient, &p.vapour, &p.vapourEnergy});
   turnOn(p, m.mushDrag, {&p.mushRate, &p.solidVelocity});
   turnOn(p, m.melting, {&p.liquid, &p.softening});
   turnOn(p, m.surfaceHeat, {&p.exposedArea});
@@ -86,7 +86,7 @@ void activateFields(World& w, const TermWork& terms, ElasticWork& elastic) {
   activateHeat(p, w.scene, m);
   turnOn(p, m.surface, {&p.surfacePosition, &p.component});
   turnOn(p, m.surface && m.solid, {&p.surfaceStartPosition});
-  turnOn(p, m.surface && w.scene.surface.keepVolume > 0, {&p.surfaceVolumeRatio});
+  turnOn(p, m.surface && w.scene.surface.enforceVolume > 0, {&p.surfaceVolumeRatio});
   turnOn(p, m.surface && anyInitialFill(w.scene), {&p.initialFill});
   turnOn(p, m.solid, {&p.solidIndex});
   turnOn(p, m.substeps, {&p.fastAcceleration});

@@ -138,7 +138,7 @@ void offsetToVolume(Surface& s, const Bins& surfelBins, double weight, double pa
 
 void listIsoOffsets(const Scene& scene, const Surface& surface, std::vector<ComponentIsoOffset>& isoOffset) {
   isoOffset.clear();
-  if (!(scene.surface.keepVolume > 0)) return;
+  if (!(scene.surface.enforceVolume > 0)) return;
   for (const SurfaceComponent& c : surface.components)
     if (c.isoOffset != 0) isoOffset.push_back({c.label, c.isoOffset});
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 #include <ctime>
+#include <numbers>
 
 #include "core/surface/data/place_rows.hpp"
 #include "core/surface/field/field_probe.hpp"
@@ -101,7 +102,7 @@ ForceSums sumsOf(const Scene& scene, const Surface& surface, SurfaceTools& t) {
   in.particleRow = r.lists.particle.data();
   in.support = static_cast<float>(scene.surface.support);
   in.repelRange = 1.5f;
-  in.sameSide = 0.70710678f;
+  in.sameSide = std::numbers::sqrt2_v<float> / 2;
   in.perSide = 10;
   in.apart = static_cast<float>(twoSheets);
   if (r.gapCutoffs.any)

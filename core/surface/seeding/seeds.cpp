@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/math/hash_random.hpp"
 #include "core/math/tangent.hpp"
@@ -27,7 +28,7 @@ SeedDirections::SeedDirections(const Scene& scene, const Surface& surface) : see
 }
 
 void SeedDirections::turn(std::uint64_t id) {
-  const double angle = 6.283185307179586 * randomUniform(seed_, Purpose::SurfelSample, id);
+  const double angle = 2 * std::numbers::pi * randomUniform(seed_, Purpose::SurfelSample, id);
   cosine_ = std::cos(angle);
   sine_ = std::sin(angle);
 }

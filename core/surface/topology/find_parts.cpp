@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 #include "core/particles/id_table.hpp"
 #include "core/surface/data/place_rows.hpp"
@@ -11,7 +12,7 @@ namespace thaw {
 namespace {
 
 constexpr std::uint64_t surfelsOnly = std::uint64_t{1} << 63;
-constexpr double cosRest = 0.70710678118654752;  // pi/4
+constexpr double cosRest = std::numbers::sqrt2 / 2;  // pi/4
 constexpr std::uint64_t noParticle = ~std::uint64_t{0};
 /// Links of surfels require that the distance of their nearest particles is within this factor times the
 /// longest particle link. The factor for liquids is larger, because falling streams stretch lengthwise (by

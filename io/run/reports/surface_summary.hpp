@@ -22,7 +22,7 @@ struct SurfaceSummary {
   std::int64_t updatesHere = 0;                ///< updates by this process
   double seconds = 0;                          ///< s, of these updates, largest over ranks
   std::array<double, surfacePhases> phases{};  ///< s, by phase, largest over ranks
-  bool keepsVolume = false;                    ///< the scene sets surface.keep_volume
+  bool keepsVolume = false;                    ///< the scene sets surface.enforce_volume
   VolumeErrors volumeErrors;                   ///< over all frames of the run so far; first rank only
   SurfaceCounters counters;
   std::vector<SurfaceComponent> components;

@@ -115,7 +115,7 @@ std::string volumeErrorWarning(const VolumeErrors& h) {
   if (!component && !sum && !small && !share) return {};
   const VolumeError& worst = component || !there(h.small) ? h.againstTarget : h.small;
   std::string line = fmt::format(
-      "surface.keep_volume: {:.3g} % of the particles are in components more than 1 % off their target "
+      "surface.enforce_volume: {:.3g} % of the particles are in components more than 1 % off their target "
       "volume. The sum is at most {:+.3g} % off",
       100 * shareOf(h), 100 * h.sum.off());
   if (there(worst))

@@ -50,7 +50,7 @@ void readSurface(TableReader& r, SurfaceSettings& s) {
            "finest spacing as a fraction of `spacing`, where the surface is curved: at small drops and "
            "edges; 0: the same spacing everywhere");
   r.number(
-      "keep_volume", s.keepVolume, "", between(0, 1),
+      "enforce_volume", s.enforceVolume, "", between(0, 1),
       "weight of a force that keeps the volume inside a surface. Its target is the volume of the particles, "
       "times the ratio of mesh to particle volume at the start. It acts on liquid, and on solid that was "
       "liquid. Surfaces that never melted keep their position. See docs/reference/surfaces.md. 0: none");

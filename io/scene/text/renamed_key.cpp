@@ -8,16 +8,11 @@ struct RenamedKey {
   const char *former, *name;
 };
 
-constexpr RenamedKey renamedKeys[] = {{"anchor", "constraint"},
-                                      {"crowd", "removal_distance"},
-                                      {"brush", "pressure_brush"},
-                                      {"pull", "attraction"},
-                                      {"pull_reach", "attraction_range"},
-                                      {"push", "acceleration"},
-                                      {"push", "repulsion"},
-                                      {"stroke", "line"},
-                                      {"wrap", "shrink_wrap"},
-                                      {"wrap_to", "shrink_wrap_to"}};
+constexpr RenamedKey renamedKeys[] = {
+    {"anchor", "constraint"},          {"crowd", "removal_distance"}, {"brush", "pressure_brush"},
+    {"keep_volume", "enforce_volume"}, {"pull", "attraction"},        {"pull_reach", "attraction_range"},
+    {"push", "acceleration"},          {"push", "repulsion"},         {"stroke", "line"},
+    {"wrap", "shrink_wrap"},           {"wrap_to", "shrink_wrap_to"}};
 
 }  // namespace
 

@@ -12,7 +12,7 @@ using namespace thaw::test;
 TEST(Measure, AreaAndVolumeOfABallAreExact) {
   for (const double R : {0.2, 0.4, 0.8, 1.6}) {  // 2, 4, 8, 16 spacings
     SerialSurfaceRig rig;
-    rig.world.scene.surface.keepVolume = 0;
+    rig.world.scene.surface.enforceVolume = 0;
     rig.ball({0.013, -0.2, 0.1}, R);
     rig.update();
     ASSERT_EQ(rig.components().size(), 1u);
@@ -48,7 +48,7 @@ namespace {
 /// A box along x from `low` in a domain of 4 m, measured with periodic sides along x.
 SurfaceComponent measuredBox(double low, int cells) {
   SurfaceRig rig;
-  rig.world.scene.surface.keepVolume = 0;
+  rig.world.scene.surface.enforceVolume = 0;
   rig.world.scene.domain.side[0] = {Side::Periodic, Side::Periodic};
   prepareSurface(rig.world);
   SerialSurfaceRanks halos(rig.world.surface.grid);
@@ -80,7 +80,7 @@ TEST(Measure, LongBodyAcrossAPeriodicSideIsInOnePiece) {
 
 TEST(Measure, SpanningComponentHasItsCentroidInTheMiddleAndItsVolume) {
   SurfaceRig rig;
-  rig.world.scene.surface.keepVolume = 0;
+  rig.world.scene.surface.enforceVolume = 0;
   for (int a = 0; a < 2; a++)
     rig.world.scene.domain.side[static_cast<std::size_t>(a)] = {Side::Periodic, Side::Periodic};
   prepareSurface(rig.world);
@@ -115,10 +115,10 @@ TEST(EnforceVolume, RestoresABallAndAFlattenedBall) {
       n = normalized({n.x / wide, n.y / wide, n.z / flat});
       rig.f().tangent[i] = normalized(rig.f().tangent[i] - dot(rig.f().tangent[i], n) * n);
     }
-    rig.world.scene.surface.keepVolume = 0;
+    rig.world.scene.surface.enforceVolume = 0;
     rig.update();
     const double before = rig.components()[0].volume / rig.components()[0].particleVolume - 1;
-    rig.world.scene.surface.keepVolume = 1;
+    rig.world.scene.surface.enforceVolume = 1;
     rig.update();
     const double after = rig.components()[0].volume / rig.components()[0].particleVolume - 1;
     std::printf("flattened to %g: volume %+.2f %% before, %+.3f %% after\n", flat, 100 * before, 100 * after);

@@ -31,6 +31,7 @@ TEST(BadBodyTypes, FormerKeysAreRefusedWithTheirNewNames) {
                {patch + "push = [0, 0, 1]\n", "push", "acceleration"},
                {patch + "[[oriented.anchor]]\n", "anchor", "constraint"},
                {patch + "crowd = 0.6\n", "crowd", "removal_distance"},
+               {patch + "[surface]\nkeep_volume = 0\n", "keep_volume", "enforce_volume"},
                {patch + "[[oriented.event]]\nkind = \"cut\"\nstroke = [[0, 0, 0]]\n", "stroke", "line"}};
   for (const auto& [text, key, name] : table) {
     const std::string said = errorOf(text);
