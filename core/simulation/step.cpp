@@ -34,8 +34,8 @@ StepOutcome finishKicks(StepContext& c) {
   runPhase(ModulePhase::SecondKick, c);
   here.finite = finishKick(w, c.dt, awakeRows(w.modules, w.particles, c.t.sleep), &here.bad, &largest);
   here.largest = largest;
-  here.badHere = !here.finite || w.oriented.exceededReach;
   runPhase(ModulePhase::Kicked, c);
+  here.badHere = !here.finite || c.exceededReach;
   here.finite = bodyTypesAreFinite(w) && here.finite;
   c.t.times.lap(StepPhase::Drift);
   return here;

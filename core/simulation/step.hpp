@@ -1,34 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // One time step. Readers of the code should start here.
 #pragma once
-#include <cstdint>
-#include <optional>
-
 #include "core/halo/halos.hpp"
-#include "core/simulation/time/monitor_limits.hpp"
-#include "core/simulation/time/step_limits.hpp"
+#include "core/simulation/step_outcome.hpp"
 #include "core/simulation/workspace/step_tools.hpp"
 #include "core/simulation/world/world.hpp"
 
 namespace thaw {
-
-/// Actions that a rank requests after a step. A request on one rank triggers the action on all ranks.
-struct Requests {
-  bool stop = false, report = false, checkpoint = false;
-};
-
-/// Common result of all ranks after a step.
-struct StepOutcome {
-  Limit limitedBy = Limit::Scene;
-  Requests requests;                ///< requests of any rank
-  Failure failure = Failure::None;  ///< result of the stability monitor
-  bool finite = true;  ///< false: a value is not finite; `bad` is its row on the rank that has it
-  bool badHere = false;
-  std::size_t bad = 0;
-  std::optional<LargestRates> largest;  ///< on this rank, if the kick computed them
-  double surfaceMove2 = 0;  ///< m^2, squared largest displacement of a particle since the last surface
-                            ///< update; 0 without a surface
-};
 
 /// Migrates and sorts particles and searches neighbours. Then computes forces, heat flows and all other
 /// data that depend on positions, velocities and temperatures. dt (s): last step, 0 at the start. Requires:

@@ -33,6 +33,7 @@ struct StepContext {
   StepLimits commonLimits = {};   ///< s, of all ranks
   double longestSubstep = never;  ///< s
   bool finite = true;             ///< all values of all ranks are finite
+  bool exceededReach = false;  ///< a particle of a body type moved farther than its neighbours were searched
 };
 
 /// Returns the context of a step. dt: s, as StepContext::dt. Requires: the clock at the beginning of the

@@ -3,7 +3,7 @@
 #include "core/heat/rest_densities.hpp"
 #include "core/simulation/modules/step_modules.hpp"
 #include "core/simulation/step_context.hpp"
-#include "core/simulation/sums/softening.hpp"
+#include "core/simulation/modules/softening.hpp"
 #include "core/simulation/views/views.hpp"
 
 namespace thaw {

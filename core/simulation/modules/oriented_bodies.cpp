@@ -20,25 +20,26 @@ StepModule orientedContact() {
 }
 
 StepModule orientedBodies() {
-  StepModule module{"oriented particles",
-                    [](const World& w, const TermWork&) { return w.modules.oriented; },
-                    {{ModulePhase::BeforeMotion,
-                      [](StepContext& c) {
-                        // Oriented particles have their own integrator, which uses obstacles at the positions
-                        // of the last forces.
-                        stepOriented(orientedView(c.w, c.t), c.halos, c.dt);
-                      }},
-                     {ModulePhase::Redistributed,
-                      [](StepContext& c) { evaluateOriented(orientedView(c.w, c.t), c.halos, c.dt); }},
-                     {ModulePhase::Coupling,
-                      [](StepContext& c) {
-                        // Contacts of particles born in this step.
-                        recordBirthContacts(c.w.oriented.rows, c.t.oriented, c.w.ledger);
-                      }},
-                     {ModulePhase::Limits, [](StepContext& c) {
-                        c.reduction.lower(Limit::Oriented,
-                                          orientedStepLimit(c.w.oriented.rows, c.w.scene, c.t.oriented));
-                      }}}};
+  StepModule module{
+      "oriented particles",
+      [](const World& w, const TermWork&) { return w.modules.oriented; },
+      {{ModulePhase::BeforeMotion,
+        [](StepContext& c) {
+          // Oriented particles have their own integrator, which uses obstacles at the positions
+          // of the last forces.
+          stepOriented(orientedView(c.w, c.t), c.halos, c.dt);
+        }},
+       {ModulePhase::Redistributed,
+        [](StepContext& c) { evaluateOriented(orientedView(c.w, c.t), c.halos, c.dt); }},
+       {ModulePhase::Coupling,
+        [](StepContext& c) {
+          // Contacts of particles born in this step.
+          recordBirthContacts(c.w.oriented.rows, c.t.oriented, c.w.ledger);
+        }},
+       {ModulePhase::Kicked, [](StepContext& c) { c.exceededReach = c.w.oriented.exceededReach; }},
+       {ModulePhase::Limits, [](StepContext& c) {
+          c.reduction.lower(Limit::Oriented, orientedStepLimit(c.w.oriented.rows, c.w.scene, c.t.oriented));
+        }}}};
   module.prepare = [](World& w, StepTools& t) { t.oriented.obstacles = planObstacleContact(w.scene); };
   return module;
 }

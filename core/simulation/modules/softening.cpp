@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/simulation/sums/softening.hpp"
+#include "core/simulation/modules/softening.hpp"
 
 #include <algorithm>
 
