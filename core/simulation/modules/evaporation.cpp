@@ -4,10 +4,10 @@
 #include <span>
 
 #include "core/heat/evaporation.hpp"
+#include "core/simulation/modules/softening.hpp"
 #include "core/simulation/modules/step_modules.hpp"
 #include "core/simulation/step_context.hpp"
 #include "core/simulation/sums/particle_sums.hpp"
-#include "core/simulation/modules/softening.hpp"
 #include "core/simulation/views/views.hpp"
 
 namespace thaw {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/heat/heat.hpp"
 #include "core/heat/rest_densities.hpp"
+#include "core/simulation/modules/softening.hpp"
 #include "core/simulation/modules/step_modules.hpp"
 #include "core/simulation/step_context.hpp"
-#include "core/simulation/modules/softening.hpp"
 #include "core/simulation/views/views.hpp"
 
 namespace thaw {

@@ -3,9 +3,9 @@
 
 #include "core/contact/solid_contact.hpp"
 #include "core/halo/exchange.hpp"
+#include "core/simulation/modules/softening.hpp"
 #include "core/simulation/modules/step_modules.hpp"
 #include "core/simulation/step_context.hpp"
-#include "core/simulation/modules/softening.hpp"
 #include "core/simulation/views/body_contact_view.hpp"
 #include "core/time/frame_times.hpp"
 #include "core/walls/spring_changes.hpp"
