@@ -17,7 +17,7 @@ struct TouchLaw {
   double friction;     ///< 1, Coulomb
   double span;         ///< s, length of the step, in which friction removes at most half of the sliding
                        ///< velocity
-  double barrier = 0;  ///< N/m (or N/m^3): adds a force 2 barrier depth^3 / reach^2 to the spring; it stores
+  double barrier = 0;  ///< N/m (or N/m^3): adds a force 2 barrier depth^3 / reach^2 to the spring. It stores
                        ///< barrier reach^2 / 2 at full depth and is negligible for light contact
   double reach = 1;    ///< m, depth at which the contact fails
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Heat between bodies whose contact has a given conductance (docs/theory/heat.md). The conduction sum
 // (core/fluid/terms/conduction.hpp) treats all pairs as one body. For pairs across a contact, these sums
-// replace that flow by the flow through resistances in series: z/k of the bodies and 1/h of the contact. z is
-// the distance along the contact normal.
+// replace that flow by the flow through resistances in series. These are z/k of the bodies and 1/h of the
+// contact. z is the distance along the contact normal.
 #pragma once
 #include <cstddef>
 

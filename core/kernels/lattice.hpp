@@ -25,8 +25,8 @@ double latticeLaplacian(const Numerics& numerics);
 double conductionScale(const Numerics& numerics);
 
 /// Weight of the pairwise viscosity for the scene's support, such that sliding layers of the lattice have the
-/// scene's viscosity. The weight is not fitted to the lattice at rest: particles leave that lattice as they
-/// flow, and the flow would be 4 % too fast at h = 2 dx (benchmark poiseuille).
+/// scene's viscosity. The weight is not fitted to the lattice at rest, since particles leave that lattice as
+/// they flow. The flow would be 4 % too fast at h = 2 dx (benchmark poiseuille).
 ViscousWeight viscousWeight(const Numerics& numerics);
 
 /// Largest sum of V W while layers of the lattice slide along their axes or diagonals; at least latticeSum.

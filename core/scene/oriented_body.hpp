@@ -28,7 +28,7 @@ struct OrientedConstraint {
   double until = never;          // s, end of the constraint
 };
 
-/// External load on the particles in a region over a time interval: a uniform force, an attraction to a
+/// External load on the particles in a region over a time interval. It is a uniform force, an attraction to a
 /// point, a pressure, or several of them.
 struct OrientedField {
   SourcePlace where;

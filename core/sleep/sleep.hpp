@@ -18,7 +18,7 @@
 // A moving particle wakes all surrounding cells within a step. This is faster than any wave, since a cell is
 // at least a support radius wide. Skipped results have the same bits as computed ones, so the set of skipped
 // cells may depend on the rank. After a migration everything is recomputed. The sleep stage and the
-// constraint force must not depend on the rank: when a particle two cells away wakes, recomputed values
+// constraint force must not depend on the rank. When a particle two cells away wakes, recomputed values
 // differ in that step. Both thus follow from State columns alone.
 #pragma once
 #include <array>

@@ -65,7 +65,7 @@ double viscousFactor(const Numerics& n, const Modules& modules) {
   return n.cflViscous * (modules.elastic && modules.melting ? besideElastic : 1);
 }
 
-/// Returns the viscosity (Pa s) that limits the step of particles of material k with viscosity mu; their
+/// Returns the viscosity (Pa s) that limits the step of particles of material k with viscosity mu. Their
 /// velocity change depends on their own mass alone (docs/validation/stability.md, row 12). Between liquids of
 /// the pairwise form it is mu. Next to a thicker, nearly static liquid or a solid, the viscosity of a pair is
 /// up to twice as large. However, the fastest wave among equal particles, with opposite motion of neighbours,

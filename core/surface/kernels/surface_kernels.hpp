@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernels for eight surfels at a time, one set for each instruction set: sums over particles and surfels
-// (forces_isa.cpp), displacement (carry_isa.cpp), areas (areas_isa.cpp), positions near a box
+// Kernels for eight surfels at a time, one set for each instruction set. They are for sums over particles and
+// surfels (forces_isa.cpp), displacement (carry_isa.cpp), areas (areas_isa.cpp), positions near a box
 // (near_box_isa.cpp), and patches (patch_isa.cpp). Every set gives the same bits. The interface uses plain
 // pointers, because code for one instruction set must not give copies of library functions to the linker.
 #pragma once

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The contact of an oriented surface stores more energy than the kinetic energy of a particle before the
-// particle is through, for any masses and spacings.
+// particle is through. This holds for any masses and spacings.
 #include <gtest/gtest.h>
 
 #include <cmath>
