@@ -25,7 +25,7 @@ struct TouchLaw {
 struct Touch {
   Vec3d force{};             ///< N/m^2 (or N) on the vertex
   double energy = 0;         ///< J/m^2 (or J), stored
-  Vec3d dissipativeForce{};  ///< N/m^2 (or N), dissipative part of force; the loss is -dissipativeForce *
+  Vec3d dissipativeForce{};  ///< N/m^2 (or N), dissipative part of force. The loss is -dissipativeForce *
                              ///< velocity, with the velocity after the kick of all forces
   double slope = 0;          ///< N/m^3 (or N/m), stiffness that bounds the step, dashpot included
 };

@@ -32,8 +32,8 @@ struct ContactHeatKernels {
   void (*heat)(const PairSums&, const ContactHeatSums&, GroupRange);     ///< adds to PairSums::heatFlow
 };
 
-/// Returns the set of that name, or the best one for this processor if the name is empty; nullptr for unknown
-/// or unsupported names.
+/// Returns the set of that name, or the best one for this processor if the name is empty. Returns nullptr for
+/// unknown or unsupported names.
 const ContactHeatKernels* contactHeatKernels(const char* name = "");
 
 /// Sets Continuum::contactNormal of the particles in the lists. Particles are in contact if their bodies

@@ -17,8 +17,8 @@ struct LatticeConduction {
 };
 LatticeConduction latticeConduction(const Numerics& numerics);
 
-/// Factor by which the conduction sum scales the Laplacian of a quadratic field on the lattice; 1 in the
-/// limit of many neighbours. Conduction::Normalised divides by it: the "moment-normalised Laplacian" of
+/// Factor by which the conduction sum scales the Laplacian of a quadratic field on the lattice. It is 1 in
+/// the limit of many neighbours. Conduction::Normalised divides by it: the "moment-normalised Laplacian" of
 /// docs/theory/heat.md for the mean neighbourhood.
 double latticeLaplacian(const Numerics& numerics);
 /// 1 / latticeLaplacian, or 1 for Conduction::Plain and the paper's heat model.

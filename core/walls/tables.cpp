@@ -107,8 +107,8 @@ template<class Kernel> double secondMoment(double spacing) {
   return sum;
 }
 
-/// Inverse of the second derivative that a sum over layers on both sides gives for a temperature; 1 for plain
-/// conduction.
+/// Inverse of the second derivative that a sum over layers on both sides gives for a temperature. It is 1 for
+/// plain conduction.
 double perConduction(const Numerics& n) {
   if (conductionScale(n) == 1) return 1;
   return withKernel(n.kernel, [&](auto kernel) { return 1 / secondMoment<decltype(kernel)>(1 / n.support); });

@@ -10,7 +10,7 @@ namespace thaw {
 
 struct CompareRule {
   /// < 0: bit by bit. Otherwise floating-point values may differ by this times the largest magnitude of their
-  /// field in either file; integers must be equal. NaN equals NaN only.
+  /// field in either file. Integers must be equal. NaN equals NaN only.
   double tolerance = -1;
 };
 

@@ -41,7 +41,7 @@ void writePov(const std::filesystem::path& file, const SurfaceFrame& frame, cons
 /// "object", and all fields that one of the meshes has (mesh_fields.hpp). Ids are split into halves (id_high,
 /// id_low), since PLY has no 64-bit type. Lines are edges. OBJ has one object per mesh, called after its name
 /// or body, else `component_LABEL`. Lines are `l`. The comment line of a mesh that is cut at periodic sides
-/// ends with cutNote (", which extends through ..."), which is empty for other meshes.
+/// ends with cutNote (", which extends through ..."). cutNote is empty for other meshes.
 void writeMeshPly(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes);
 void writeMeshObj(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes);
 std::string cutNote(const ComponentMesh& mesh);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An obstacle that a program moves, and the load of the particles on it: coupling with a body outside of
-// thaw, in both directions.
+// An obstacle that a program moves, and the load of the particles on it. This is coupling with a body
+// outside of thaw, in both directions.
 //
 //   thaw::DrivenObstacle ball(sim, "ball");
 //   sim.onStep([&] {

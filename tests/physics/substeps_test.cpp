@@ -128,7 +128,7 @@ TEST(Substeps, LedgerClosesForWallsClampsAndCreep) {
   EXPECT_NEAR(plastic[1], plastic[0], 0.02 * plastic[0]);
 }
 
-// With 8 substeps the step is near half a period of modes of the undamped block, which pumps 0.8 % of the
+// With 8 substeps the step is near half a period of modes of the undamped block. This pumps 0.8 % of the
 // energy into it.
 TEST(Substeps, KeepAStiffBlockInWaterStable) {
   for (const int n : {1, 4}) {

@@ -32,7 +32,7 @@
 //
 // Limits: the energy depends on the arrangement of particles. Surface particles form shells, and the energy
 // falls to a third of sigma times the area. Disorder inside leaves colour below 1, which causes tension. The
-// pressure of all forces is thus about a third of that of the equation of state, and falls as the inside
+// pressure of all forces is thus about a third of that of the equation of state. It falls as the inside
 // becomes ordered (docs/validation/limitations.md). Shells resist like a soft solid: waves are damped two to
 // three times as much as by viscosity. Threads in single file, 0.55 spacings apart, have two thirds of a
 // cylinder's surface and three times its tension. They form where drops should pinch off.
@@ -73,8 +73,8 @@ struct SurfaceKernelValue {
 SurfaceKernelValue surfaceKernelAt(const Vec3d& x);
 
 /// Contribution of a flat wall to the colour at a distance (h), with its first and second derivative. As in
-/// the wall tables, the first layer lies half a spacing below the surface, and further layers at distances of
-/// one spacing. Each layer is averaged over its plane.
+/// the wall tables, the first layer lies half a spacing below the surface. Further layers follow at
+/// distances of one spacing. Each layer is averaged over its plane.
 struct WallColour {
   double colour = 0, slope = 0, bend = 0;
 };

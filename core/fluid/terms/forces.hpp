@@ -32,7 +32,7 @@ template<class L> THAW_INLINE L movableSolid(L liquidFraction) {
 /// not central. The pressure of a solid near liquid acts only between that solid and liquids.
 /// Relief: pressureDiagonal.d, pressureOffDiagonal.d and pressurePhaseHeat.a are the force on liquid from all
 /// its solid neighbours (core/fluid/laws/lattice_relief.hpp). It is divided among the pairs by V W of the
-/// solids. Fixed solids, which have a liquid fraction of -0, have no such force: they need not slip, and the
+/// solids. Fixed solids, which have a liquid fraction of -0, have no such force. They need not slip, and the
 /// force would stir liquid at rest.
 template<class Real, class Kernel, bool Viscous, bool Laplacian, bool Heat, bool Carried = false,
          bool Relief = false>

@@ -119,7 +119,7 @@ StepLimits materialLimits(const Scene& s, const Modules& modules,
     }
     if (modules.fluid && canBeLiquid(m)) {
       // The surface energy is stiff if few particles interact. An inviscid drop gains 26 % of its energy in 6
-      // s with a factor of 0.2, and 0.8 % in 3 s with 0.1.
+      // s with a factor of 0.2. With 0.1, it gains 0.8 % in 3 s.
       const double stiff = modules.surfaceEnergy ? 0.12 : 1;
       if (m.surfaceTension > 0) take(Limit::Tension, stiff * n.cflTension * capillaryTime(s, m));
     }

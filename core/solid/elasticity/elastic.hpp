@@ -145,7 +145,7 @@ void takeReferences(const Continuum& particles, Solids& solids);
 /// Copies positions (and velocities and liquid fractions, if active) from the particles to their owned
 /// solids.
 void copyToSolids(const Continuum& particles, Solids& solids);
-/// Sets the rest volume (m^3, mass over the material's density) of owned solids that have none, which are
+/// Sets the rest volume (m^3, mass over the material's density) of owned solids that have none. These are
 /// newly solid particles.
 void fillNewSolids(const Continuum& particles, Solids& solids, const ElasticWork& work, bool atStart);
 /// Adds the elastic force, and the dissipation of the step divided by dt, to the particles of owned solids.
@@ -154,9 +154,9 @@ void addSolidForces(const ElasticWork& work, const Solids& solids, Continuum& pa
 
 /// Updates A^-1 and the other bond data in `work` for solids with `changed` set. all: updates all solids, for
 /// bonds made without bond updates. Call it after every bond update and the exchange of
-/// remoteColumnsAfterRebuild. A bond update also sets `changed` for renumbered solids, and for solids with a
-/// bond whose other end became remote or owned. The bits do not depend on which solids are recomputed. Clears
-/// `changed`. Returns the number of owned solids with rank < 3.
+/// remoteColumnsAfterRebuild. A bond update also sets `changed` for renumbered solids. It sets it as well for
+/// solids with a bond whose other end became remote or owned. The bits do not depend on which solids are
+/// recomputed. Clears `changed`. Returns the number of owned solids with rank < 3.
 std::int64_t refreshReference(ElasticWork& work, Solids& solids, Bonds& bonds, bool all);
 
 /// Phase 1: F, plastic flow, stress and flux of the groups of this part. Requires: Solids::position of owned

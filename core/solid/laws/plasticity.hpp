@@ -52,8 +52,8 @@ struct PlasticDeformation {
 /// Returns the work (Pa) lost in a step from one deformation to another. The work is the mean of both
 /// stresses times the change of F, like that of the step's forces. The change of the stored energy is
 /// subtracted.
-/// If plastic strain is at its limit, the stress changes by a multiple of the yield stress in a step, and
-/// PlasticFlow::loss is not accurate.
+/// If plastic strain is at its limit, the stress changes by a multiple of the yield stress in a step.
+/// PlasticFlow::loss is then not accurate.
 double workOfFlow(const ElasticConstants& c, const PlasticDeformation& before,
                   const PlasticDeformation& after);
 

@@ -12,8 +12,8 @@ namespace thaw {
 /// 2 degrees, compared to 4 degrees with c (benchmarks/surface). The iso-surface of a fixed level would lie
 /// inside curved surfaces, by 0.1 h^2/R on a ball. On drops smaller than the kernel, it would not exist
 /// (docs/theory/surfaces.md). The level therefore depends on the fullness b / a with b = sum V a_j W. It is
-/// tabulated for continuous balls and cavities of all sizes, and is exact to first order in the mean
-/// curvature for other bodies. It depends on position only, without feedback from the surfels' curvature.
+/// tabulated for continuous balls and cavities of all sizes. For other bodies, it is exact to first order in
+/// the mean curvature. It depends on position only, without feedback from the surfels' curvature.
 class LevelTable {
  public:
   void fill();

@@ -15,8 +15,8 @@ std::string sizeHint(const Scene& scene, const Shape& shape, const Bounds& bound
 /// Returns "0.0041 m".
 std::string lengthText(double metres);
 
-/// Returns the axes along which a body is narrower than the spacing, as "0.004 m along z"; "" if there are
-/// none. A body's single layer of particles is thicker than the body there.
+/// Returns the axes along which a body is narrower than the spacing, as "0.004 m along z". Returns "" if
+/// there are none. A body's single layer of particles is thicker than the body there.
 std::string narrowAxes(const Bounds& bounds, double spacing);
 
 }  // namespace thaw

@@ -64,7 +64,7 @@ TEST(OrientedContactPlan, IncludesApproachingContact) {
 }
 
 // Toward obstacles: force and stiffness are the derivatives of one energy. At full depth the force exceeds
-// the strength of bonds, and the stored energy exceeds the kinetic energy of a particle.
+// the strength of bonds. The stored energy exceeds the kinetic energy of a particle.
 TEST(OrientedContactPlan, KeepsASurfaceOffObstacles) {
   for (const double density : {0.1, 100.0}) {
     Scene s = sceneOf(0.01, 1e5, 10);
