@@ -39,7 +39,7 @@ RowCosts costsOf(const World& w, const PhaseTimes& spent) {
     return costs;
   }
   const double solids = static_cast<double>(std::count(p.phase.data(), p.phase.data() + p.owned, Solid));
-  // With heat, a solid far from liquids takes half of a liquid's sums (terms/conduction.hpp); otherwise only
+  // With heat, a solid far from liquids takes half of a liquid's sums (terms/conduction.hpp). Otherwise only
   // solids near liquids take part.
   const double share = w.modules.heat ? 0.5 : 0.1,
                sums = secondsOf(spent, ofLiquids) / (n - solids + share * solids),

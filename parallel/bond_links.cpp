@@ -115,7 +115,8 @@ void BondLinks::renew(const Communicator& comm, const BondGraph& graph) {
     return at != changes.end() ? at->second : changes.emplace_back(rank, Change{}).second;
   };
   for (const BondGraph::Released& r : graph.released())
-    // If the old owner sends no such row, the particle has moved, and its new owner has no link to this rank.
+    // If the old owner sends no such row, the particle has moved. Its new owner then has no link to this
+    // rank.
     if (holds(partner(r.owner).receives, r.id)) change(r.owner).giveUp.push_back(r.id);
   const auto want = [&](std::uint32_t row) {
     Change& c = change(graph.ownerOf(row));

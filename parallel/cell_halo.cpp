@@ -122,8 +122,8 @@ Migration MpiCellHalo::migrate(Table& p, std::span<const std::uint64_t> keys) {
   return m;
 }
 
-/// Bytes to receive at once after a message of this size: at most one chunk, since the number of chunks of
-/// the next message is unknown.
+/// Bytes to receive at once after a message of this size. They are at most one chunk, since the number of
+/// chunks of the next message is unknown.
 std::size_t MpiCellHalo::roomFor(std::size_t bytes) const { return std::min(withRoom(bytes), comm_.chunk()); }
 
 void MpiCellHalo::beginGhosts(Table&, const CellTable& cells, std::span<AnyColumn* const> columns) {

@@ -44,8 +44,8 @@ inline constexpr std::size_t smallestChunk = 64;
 /// messages and bytes.
 class Communicator {
  public:
-  /// chunk: largest number of bytes sent at once (64 B to 1 GiB; small values are for tests), equal on all
-  /// ranks.
+  /// chunk: largest number of bytes sent at once (64 B to 1 GiB, where small values are for tests), equal on
+  /// all ranks.
   explicit Communicator(MPI_Comm from = MPI_COMM_WORLD, std::size_t chunk = largestChunk)
       : chunk_(std::clamp(chunk, smallestChunk, largestChunk)) {
     MPI_Comm_dup(from, &handle_);

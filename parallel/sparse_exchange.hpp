@@ -33,7 +33,7 @@ class ReceiveBuffer {
 
 /// Sends each non-empty message; `in` receives all incoming ones, ascending by sender (several from one
 /// sender in sending order). A rank may send messages to itself. kind: a distinct number per use, equal on
-/// all ranks. Messages may have any length. Those longer than Communicator::chunk are sent in chunks; a full
+/// all ranks. Messages may have any length. Those longer than Communicator::chunk are sent in chunks. A full
 /// chunk is always followed by another one, which may be empty. Collective over the communicator.
 void sparseExchange(const Communicator& comm, std::span<const Message> out, ReceiveBuffer& in, int kind,
                     MessagesFor purpose);

@@ -58,8 +58,8 @@ void print(const Trial& r, const Case& c, const std::vector<Figure>& figures, do
   }
 }
 
-/// Message about the first norm above its target (strict) or its limit, or about a missing limited norm;
-/// empty if there is none.
+/// Message about the first norm above its target (strict) or its limit, or about a missing limited norm.
+/// Empty if there is none.
 std::string missed(const std::vector<Figure>& figures, bool strict, const std::vector<std::string>& limits) {
   if (strict)
     for (const Figure& f : figures)

@@ -75,8 +75,8 @@ std::vector<Case> floatingCases();  ///< solids that float, sink and rise in wat
 std::vector<Case> tankCases();      ///< tanks that are no multiple of the spacing
 std::vector<Case> surfaceCases();   ///< surfaces
 
-/// For Case::adapt: makes domain and boxes six spacings (three support radii) wide along periodic axes, so
-/// that finer runs of one-dimensional cases cost no more across.
+/// For Case::adapt: makes domain and boxes six spacings (three support radii) wide along periodic axes. Finer
+/// runs of one-dimensional cases then cost no more across.
 void makeThin(Scene& scene);
 
 /// Runs a case to the end of its scene. The surface is updated at and between frames as in `thaw run`, and at

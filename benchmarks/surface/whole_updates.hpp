@@ -16,8 +16,8 @@ struct WholeUpdates {
 
 /// Runs `updates` updates of the scene's 4,000 particles with about `surfels` surfels, after three uncounted
 /// ones. Solid: the bust turns by 1/50 of a turn and falls between updates. Molten: it is liquid below 0.6 of
-/// its height and partly liquid up to 0.7, and sinks and spreads there. The flow conserves volume, x' = x/2,
-/// y' = y/2, z' = -z, times a smooth factor, and moves at most a quarter of a support radius between updates.
+/// its height and partly liquid up to 0.7, and sinks and spreads there. The flow conserves volume: x' = x/2,
+/// y' = y/2, z' = -z, times a smooth factor. It moves at most a quarter of a support radius between updates.
 /// support: h_ss over the spacing of surfels (SurfaceSettings::support).
 WholeUpdates wholeUpdates(bool molten, double surfels, double support, std::int64_t updates);
 

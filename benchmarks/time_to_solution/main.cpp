@@ -133,7 +133,7 @@ std::vector<Look> readFront() {
 }
 
 /// Largest distance of the fronts until the reference reaches the far wall, over the distance it has
-/// travelled by then; negative without a reference.
+/// travelled by then. Negative without a reference.
 double frontError(const std::vector<Look>& looks) {
   double worst = -1;
   for (const Look& r : readFront()) {

@@ -7,10 +7,11 @@
 //
 // Here k_ij is the harmonic mean of E * spacing of the two particles. The factor c is such that two flat
 // faces act as springs of stiffness k_ij per pair of facing particles. The share s of a particle is 1 if it
-// lies half a spacing below the surface of its body, and smaller at smaller depths (Continuum::contactDepth).
-// Faces thus touch where the surfaces of the bodies meet. These forces are central: energy, momentum and
-// angular momentum are conserved. Friction is a spring along the surface (CS79), limited by Coulomb's law, so
-// it includes static friction. The spring's displacement is part of the state.
+// lies half a spacing below the surface of its body. It is smaller at smaller depths
+// (Continuum::contactDepth). Faces thus touch where the surfaces of the bodies meet. These forces are
+// central: energy, momentum and angular momentum are conserved. Friction is a spring along the surface
+// (CS79), limited by Coulomb's law, so it includes static friction. The spring's displacement is part of the
+// state.
 #pragma once
 #include <array>
 #include <cstdint>

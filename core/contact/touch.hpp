@@ -17,7 +17,7 @@ struct TouchLaw {
   double friction;     ///< 1, Coulomb
   double span;         ///< s, length of the step, in which friction removes at most half of the sliding
                        ///< velocity
-  double barrier = 0;  ///< N/m (or N/m^3): adds a force 2 barrier depth^3 / reach^2 to the spring; it stores
+  double barrier = 0;  ///< N/m (or N/m^3): adds a force 2 barrier depth^3 / reach^2 to the spring. It stores
                        ///< barrier reach^2 / 2 at full depth and is negligible for light contact
   double reach = 1;    ///< m, depth at which the contact fails
 };
@@ -25,7 +25,7 @@ struct TouchLaw {
 struct Touch {
   Vec3d force{};             ///< N/m^2 (or N) on the vertex
   double energy = 0;         ///< J/m^2 (or J), stored
-  Vec3d dissipativeForce{};  ///< N/m^2 (or N), dissipative part of force; the loss is -dissipativeForce *
+  Vec3d dissipativeForce{};  ///< N/m^2 (or N), dissipative part of force. The loss is -dissipativeForce *
                              ///< velocity, with the velocity after the kick of all forces
   double slope = 0;          ///< N/m^3 (or N/m), stiffness that bounds the step, dashpot included
 };

@@ -18,7 +18,7 @@ void freeAligned(void* block, std::size_t bytes);
 void trimFreedMemory();
 
 /// Makes the allocator return freed blocks of at least 1 MB to the system at once. Programs call it once at
-/// their start. By default glibc raises its threshold and caches freed blocks of up to 32 MB, which doubles
+/// their start. By default glibc raises its threshold and caches freed blocks of up to 32 MB. This doubles
 /// the resident memory of large runs. A steady step allocates nothing, so the setting costs no time.
 void returnLargeBlocks();
 

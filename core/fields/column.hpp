@@ -187,7 +187,7 @@ struct Table {
   /// Reserves memory for exactly `rows` rows, so that later rows need no allocation.
   void reserve(std::size_t rows);
   /// Row i of every Keep::State and Keep::Local column becomes old row order[i], for i < n = number of kept
-  /// rows; owned = n, ghosts = 0. Stale columns are only resized: they are written before they are read.
+  /// rows. Sets owned = n, ghosts = 0. Stale columns are only resized: they are written before they are read.
   void reorder(std::span<const std::uint32_t> order, std::span<AnyColumn* const> stale = {});
   /// Reorders rows in place. Rows that keep their index are not copied, and no second column is needed. Stale
   /// columns are only resized.

@@ -39,15 +39,15 @@ class CellHalo {
 
   /// Sends particles in cells of other ranks to the owners of these cells. keys[row]: cell key of each owned
   /// row, or noCell. Collective. Ensures: ghosts are dropped. Arrivals are appended (particles.owned grows).
-  /// Departed rows are listed and remain in the table. Arrivals have their State columns; Local and Transient
+  /// Departed rows are listed and remain in the table. Arrivals have their State columns. Local and Transient
   /// columns are zero (solidIndex: noSolid), so the caller computes their cell keys before the sort.
   virtual Migration migrate(Table& particles, std::span<const std::uint64_t> keys) = 0;
 
   /// Copies all particles in the cells that touch this rank's cells, periodic images included. Requires:
   /// particles sorted by (cell, id), and `cells` of the owned ones. begin starts the exchange of these
-  /// columns; finish appends the ghost rows and merges the ghost cells into `cells`, ascending by key. A
-  /// periodic image has a cell key outside of the domain, and its column "position" (if sent) is shifted by
-  /// the period. Between begin and finish, owned rows may be read, but no rows may be added.
+  /// columns. finish appends the ghost rows and merges the ghost cells into `cells`, ascending by key. A
+  /// periodic image has a cell key outside of the domain. Its column "position" (if sent) is shifted by the
+  /// period. Between begin and finish, owned rows may be read, but no rows may be added.
   virtual void beginGhosts(Table& particles, const CellTable& cells, std::span<AnyColumn* const> columns) = 0;
   virtual void finishGhosts(Table& particles, CellTable& cells) = 0;
 

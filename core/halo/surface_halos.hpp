@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Interface of a surface update to other ranks. Surfels and particle copies have their own domain
-// decomposition, balanced by their own cost: the update is a separate phase, and particles are sent to it.
+// decomposition, balanced by their own cost. The update is a separate phase, and particles are sent to it.
 #pragma once
 #include "core/halo/halo.hpp"
 

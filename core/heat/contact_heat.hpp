@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Heat between bodies whose contact has a given conductance (docs/theory/heat.md). The conduction sum
 // (core/fluid/terms/conduction.hpp) treats all pairs as one body. For pairs across a contact, these sums
-// replace that flow by the flow through resistances in series: z/k of the bodies and 1/h of the contact. z is
-// the distance along the contact normal.
+// replace that flow by the flow through resistances in series. These are z/k of the bodies and 1/h of the
+// contact. z is the distance along the contact normal.
 #pragma once
 #include <cstddef>
 
@@ -32,8 +32,8 @@ struct ContactHeatKernels {
   void (*heat)(const PairSums&, const ContactHeatSums&, GroupRange);     ///< adds to PairSums::heatFlow
 };
 
-/// Returns the set of that name, or the best one for this processor if the name is empty; nullptr for unknown
-/// or unsupported names.
+/// Returns the set of that name, or the best one for this processor if the name is empty. Returns nullptr for
+/// unknown or unsupported names.
 const ContactHeatKernels* contactHeatKernels(const char* name = "");
 
 /// Sets Continuum::contactNormal of the particles in the lists. Particles are in contact if their bodies

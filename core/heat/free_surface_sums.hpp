@@ -20,8 +20,8 @@ struct FreeSurfaceKernels {
   void (*conduction)(const PairSums&, ConductionSums* sums, GroupRange);
 };
 
-/// Returns the set of that name, or the best one for this processor if the name is empty; nullptr for unknown
-/// or unsupported names.
+/// Returns the set of that name, or the best one for this processor if the name is empty. Returns nullptr for
+/// unknown or unsupported names.
 const FreeSurfaceKernels* freeSurfaceKernels(const char* name = "");
 
 }  // namespace thaw

@@ -55,7 +55,7 @@ double missingHeat(const Scene& s, const Material& m, const Continuum& p, std::s
          p.enthalpy[i];
 }
 
-/// Returns the fraction of a thermostat's remaining heat that is due in the step of dt (s) from `time` (s);
+/// Returns the fraction of a thermostat's remaining heat that is due in the step of dt (s) from `time` (s).
 /// 0: inactive.
 double shareOf(const Thermostat& t, double time, double dt) {
   const double from = std::max(time, t.start), end = t.start + t.over, left = end - from;

@@ -21,7 +21,7 @@ void setPhase(const Scene& scene, const Modules& modules, Continuum& particles, 
 /// Skips rows with skipped sums (WallContext::steady).
 void addOuterHeat(const HeatView& view, double dt, const std::vector<std::uint8_t>* steady = nullptr);
 
-/// Adds the heat of the scene's thermostats for the step of length dt (s) that begins now, and records it in
+/// Adds the heat of the scene's thermostats for the step of dt (s) that begins now. Records it in
 /// Ledger::heatIn.
 void addThermostats(const HeatView& view, double dt);
 

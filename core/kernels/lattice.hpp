@@ -17,16 +17,16 @@ struct LatticeConduction {
 };
 LatticeConduction latticeConduction(const Numerics& numerics);
 
-/// Factor by which the conduction sum scales the Laplacian of a quadratic field on the lattice; 1 in the
-/// limit of many neighbours. Conduction::Normalised divides by it: the "moment-normalised Laplacian" of
+/// Factor by which the conduction sum scales the Laplacian of a quadratic field on the lattice. It is 1 in
+/// the limit of many neighbours. Conduction::Normalised divides by it: the "moment-normalised Laplacian" of
 /// docs/theory/heat.md for the mean neighbourhood.
 double latticeLaplacian(const Numerics& numerics);
 /// 1 / latticeLaplacian, or 1 for Conduction::Plain and the paper's heat model.
 double conductionScale(const Numerics& numerics);
 
 /// Weight of the pairwise viscosity for the scene's support, such that sliding layers of the lattice have the
-/// scene's viscosity. The weight is not fitted to the lattice at rest: particles leave that lattice as they
-/// flow, and the flow would be 4 % too fast at h = 2 dx (benchmark poiseuille).
+/// scene's viscosity. The weight is not fitted to the lattice at rest, since particles leave that lattice as
+/// they flow. The flow would be 4 % too fast at h = 2 dx (benchmark poiseuille).
 ViscousWeight viscousWeight(const Numerics& numerics);
 
 /// Largest sum of V W while layers of the lattice slide along their axes or diagonals; at least latticeSum.

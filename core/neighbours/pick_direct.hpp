@@ -19,7 +19,7 @@ constexpr int reach2 = 4097;
 inline bool hasPickDirect() { return __builtin_cpu_supports("avx512vbmi2"); }
 
 /// Lists the entries of the rounds' rows whose keep bit is set and that are within the support radius of row
-/// `self`; returns their number. It reads and writes up to 31 entries more. Hits are packed as bytes (twice
+/// `self`. Returns their number. It reads and writes up to 31 entries more. Hits are packed as bytes (twice
 /// the index in the round), so a round takes one store instead of two. Masks and entries are loaded from
 /// memory to relieve the port that packing uses.
 __attribute__((target("avx512vbmi2"))) std::uint32_t pickDirect(const SearchInput& in,

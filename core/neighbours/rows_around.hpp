@@ -26,7 +26,7 @@ inline void rowsAround(const CellTable& t, std::uint64_t key, std::vector<RowSpa
     }
 }
 
-/// Calls use(i, ranges) for each owned row i of one table for which wanted(i) is true, with the rows of the
+/// Calls use(i, ranges) for each owned row i of one table for which wanted(i) is true. ranges: rows of the
 /// other table in the surrounding cells. The surrounding rows are listed only for cells with such a row i.
 template<class Wanted, class Use>
 void eachSurrounded(const CellTable& own, std::size_t owned, const CellTable& others, Wanted&& wanted,
@@ -44,8 +44,8 @@ void eachSurrounded(const CellTable& own, std::size_t owned, const CellTable& ot
   }
 }
 
-/// Calls pair(i, j) for each owned row i of one table and each row j of the other in the surrounding cells;
-/// per row in (cell, id) order.
+/// Calls pair(i, j) for each owned row i of one table and each row j of the other in the surrounding cells.
+/// For each i, the rows j are in (cell, id) order.
 template<class Pair>
 void eachNear(const CellTable& own, std::size_t owned, const CellTable& others, Pair&& pair) {
   eachSurrounded(

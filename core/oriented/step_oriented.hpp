@@ -7,8 +7,8 @@
 namespace thaw {
 
 /// Integrates all oriented particles over dt (s) with the forces of the last evaluation, and moves
-/// constraints. Also applies the contact impulse with other body types for the last half step, which the
-/// ledger reports as in flight (LedgerReport::impulseInFlight). Requires: evaluateOriented. Collective.
+/// constraints. Also applies the contact impulse with other body types for the last half step. The ledger
+/// reports it as in flight (LedgerReport::impulseInFlight). Requires: evaluateOriented. Collective.
 void stepOriented(const OrientedView& view, Halos halos, double dt);
 
 /// Applies the events of the last step of dt (s); with OrientedWork::begins, also events at time 0. Then

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bonds of the owned solids. If no reference ever changes (no freezing, welding or large plastic flow), all
-// bonds share one configuration. A bond then stores only its other end: X_ij is the difference of the two
+// bonds share one configuration. A bond then stores only its other end. X_ij is the difference of the two
 // Solids::reference, and the weight follows from the length of X_ij. Otherwise each bond stores its vectors
 // and weight, in the precision of the elastic step.
 #pragma once
@@ -49,7 +49,7 @@ struct Bonds {
   BondReals rx, ry, rz;  ///< X_ji, the other end's vector to this one; empty unless twoFrames (then X_ji =
                          ///< -X_ij)
   BondReals weight;      ///< w_ij, symmetric; 0: no bond or broken
-  bool vectors = true;   ///< x, y, z and weight are stored; else a bond is its other end, and an entry whose
+  bool vectors = true;   ///< x, y, z and weight are stored. Else a bond is its other end, and an entry whose
                          ///< end is the solid itself is unused
   bool twoFrames = false;  ///< rx, ry, rz are stored
   bool broken = false;     ///< a bond broke on this rank since the last bond update; the next update drops it

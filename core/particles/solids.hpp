@@ -12,10 +12,10 @@ namespace thaw {
 inline constexpr std::uint32_t noParticle = 0xffffffffu;
 
 /// Data of a bond end in the bond loops (elastic_lanes.hpp), one cache line in single precision. It contains
-/// the displacement from the reference configuration and the reference position. It also contains k (N/m) of
-/// the hourglass energy k/2 sum w |x - F X|^2, and the rows of the flux V P A^-1 - k grad u (N/m). The flux
-/// is the factor of w X in the force of a bond (elastic.hpp). If bonds have vectors, the reference is 0 and
-/// the displacement is the position. Positions are in m. In single precision they are the bits of 32-bit
+/// the displacement from the reference configuration and the reference position. Its factor `hourglass` is k
+/// (N/m) of the hourglass energy k/2 sum w |x - F X|^2. `flux` has the rows of V P A^-1 - k grad u (N/m). The
+/// flux is the factor of w X in the force of a bond (elastic.hpp). If bonds have vectors, the reference is 0
+/// and the displacement is the position. Positions are in m. In single precision they are the bits of 32-bit
 /// fixed-point numbers.
 template<class Real> struct alignas(4 * sizeof(Real)) BondEnd {
   Real displacement[3], reference[3], hourglass, flux[9];

@@ -27,8 +27,8 @@ struct SpecialPairs {
 
 /// Sets Continuum::setLabel of owned particles. For particles of pieces, it is 1 + the smallest id of all
 /// particles connected to them, else 0. Particles are connected if they are close and of one piece (at the
-/// start: of one body), if they touch and one has no piece yet, or if they are welded. Requires: ghosts.
-/// Collective.
+/// start: of one body), or if they are welded. They are also connected if they touch and one has no piece
+/// yet. Requires: ghosts. Collective.
 void labelPieces(const RigidView& view, const Halos& halos, bool atStart, const SpecialPairs& special = {});
 
 }  // namespace thaw

@@ -11,8 +11,8 @@ namespace thaw {
 /// Ensures: particles of pieces have the positions and velocities of their pieces.
 void driftPieces(const RigidView& view, double dt);
 
-/// Sums forces and torques of all pieces, and sets Continuum::force of their particles to the force that
-/// moves them with their pieces. Collective.
+/// Sums forces and torques of all pieces. Sets Continuum::force of their particles to the force that moves
+/// them with their pieces. Collective.
 void sumPieceForces(const RigidView& view, Reducer& all);
 
 /// Applies the second half kick, over dt / 2 (s), and updates the velocities of particles.

@@ -4,7 +4,7 @@
 //   - its acceleration is below sleep_speed / sleep_after and half of gravity,
 //   - only weight and contacts load it.
 // Pieces::restTime is the duration of rest. A piece falls asleep when it and all pieces that it touches have
-// a rest time of sleep_after, and no obstacle that it touches moves. An impulse balances the weight of a
+// a rest time of sleep_after. No obstacle that it touches may move. An impulse balances the weight of a
 // sleeping piece, so it stays in place. Other pieces cannot move it. It wakes when
 //   - a moving piece touches it (in the same step, before impulses are found),
 //   - a moving obstacle touches it, or an obstacle vanishes,

@@ -14,8 +14,8 @@ namespace thaw {
 void elementsOfShapes(const Scene& scene, std::span<const std::shared_ptr<const SignedDistance>> bodyShapes,
                       Continuum& particles);
 
-/// Rotates the surface element of a particle: from a former piece's body frame to the axes of the domain, or
-/// from these axes to the body frame of the new piece.
+/// Rotates the surface element of a particle. The rotation is from a former piece's body frame to the
+/// domain's axes, or from these to the new piece's body frame.
 void turnElement(Continuum& particles, std::size_t row, const Quat& rotation);
 
 /// Sets the elements of owned particles near which particles of their piece appeared or vanished. The

@@ -71,8 +71,7 @@ FormerMotion formerMotion(const RigidView& v, std::size_t i) {
 }
 
 /// Returns the pieces whose sets of particles changed, and the pieces that particles left. A set has changed
-/// if its number of particles or the sum of the hashes of their ids differs from the former piece of the same
-/// id.
+/// if its particle count or the sum of its ids' hashes differs from the former piece of the same id.
 NewPieces findChanged(const RigidView& v, Reducer& all) {
   const Continuum& p = v.particles;
   std::vector<std::uint64_t> ids;

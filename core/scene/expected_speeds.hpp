@@ -27,10 +27,10 @@ struct FlowSpeed {
 };
 
 /// Returns the speed from which the automatic sound speed is derived. At sound speed c, a flow of speed v
-/// changes the relative density by v^2 / c^2, and a column of height H by g H / c^2 (M94). v^2 = u^2 + 2 g h,
-/// where u is the largest speed of bodies, emitters and obstacles, and h the largest height of fall. A
-/// column of bodies is not higher than h, so v covers it. A column filled by an emitter may be higher.
-/// Buoyancy adds the square of buoyantSpeed.
+/// changes the relative density by v^2 / c^2. A column of height H changes it by g H / c^2 (M94). Here v^2 =
+/// u^2 + 2 g h. u is the largest speed of bodies, emitters and obstacles, and h is the largest height of
+/// fall. A column of bodies is not higher than h, so v covers it. A column filled by an emitter may be
+/// higher. Buoyancy adds the square of buoyantSpeed.
 FlowSpeed expectedFlow(const Scene& scene);
 
 /// Returns the speed (m/s) after a fall from rest through the whole domain.

@@ -28,7 +28,7 @@ struct OrientedConstraint {
   double until = never;          // s, end of the constraint
 };
 
-/// External load on the particles in a region over a time interval: a uniform force, an attraction to a
+/// External load on the particles in a region over a time interval. It is a uniform force, an attraction to a
 /// point, a pressure, or several of them.
 struct OrientedField {
   SourcePlace where;
@@ -71,7 +71,7 @@ struct OrientedBody {
   double thin = 1;  // 1, fraction of the samples that are kept and fixed in place; growth fills the rest
   std::optional<std::uint32_t> colour;  // red | green << 8 | blue << 16; none: orientedColours by body number
   double spacing = 0;                   // m, target distance between its particles; 0: the scene's spacing
-  double cellShare = 1;  // 1, area of a particle over that of a cell of a hexagonal lattice; set at set-up
+  double cellShare = 1;  // 1, area of a particle over that of a cell of a hexagonal lattice. Set at set-up
                          // for patches and discs
   double jitter = 0;   // 1, largest initial offset of positions (in spacings) and normals (in rad) along each
                        // axis

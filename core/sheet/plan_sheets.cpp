@@ -37,7 +37,7 @@ double speedOf(const Scene& s, const SheetBody& b) {
   return fastest + fallSpeed(s.domain);
 }
 
-/// Returns the contact rate (1/s) for which a vertex penetrates at most half of the thickness (m) at the
+/// Returns the contact rate (1/s). With it, a vertex penetrates at most half of the thickness (m) at the
 /// scene's speeds, and at most a tenth under its pressures.
 double contactRateOf(const Scene& s, const SheetBody& b, double thickness) {
   const auto most = [&](SheetFactor f) {

@@ -65,7 +65,7 @@ Vec3d restOf(const Sheets& s, std::size_t i) {
   return s.rest[i] + s.flow[i];
 }
 
-/// Applies plastic flow beyond the elastic limit: plasticity times the excess moves the rest position, and
+/// Applies plastic flow beyond the elastic limit. Plasticity times the excess moves the rest position, and
 /// the remainder raises the limit. The vertex is then at the limit, so the result does not depend on the
 /// number of steps.
 void applyPlasticFlow(SheetBodies& sheets, const Scene& scene, double time) {
@@ -92,8 +92,8 @@ Vec3d loadForDamping(const Sheets& s, std::size_t i, const SpringLaw& law) {
 }
 
 /// Records dissipation of dashpots and friction over half of a step, with the displacement (m) of that half.
-/// A force acts for half of the step that ends with it, and for half of the next, so it must not be recorded
-/// earlier.
+/// A force acts for half of the step that ends with it, and for half of the next. It must therefore not be
+/// recorded earlier.
 void recordDissipation(Sheets& s, std::size_t i, const SpringLaw& law, const Vec3d& way) {
   if (s.dissipativeForce.active && law.mass > 0)
     s.dissipated[i] -= s.area[i] * dot(s.dissipativeForce[i], way);

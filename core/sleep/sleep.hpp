@@ -18,7 +18,7 @@
 // A moving particle wakes all surrounding cells within a step. This is faster than any wave, since a cell is
 // at least a support radius wide. Skipped results have the same bits as computed ones, so the set of skipped
 // cells may depend on the rank. After a migration everything is recomputed. The sleep stage and the
-// constraint force must not depend on the rank: when a particle two cells away wakes, recomputed values
+// constraint force must not depend on the rank. When a particle two cells away wakes, recomputed values
 // differ in that step. Both thus follow from State columns alone.
 #pragma once
 #include <array>
@@ -55,8 +55,8 @@ struct SleepWork {
                                                          ///< in the last
   std::array<ExactSum, 3> steadyConstraintForce;  ///< N, sum of Continuum::constraintForce over the rows of
                                                   ///< steadyBefore
-  std::vector<std::uint8_t> steady;   ///< by owned row: 1 if it sleeps and nothing in its sums changes;
-                                      ///< before markSleeping, only rows of inner cells are set
+  std::vector<std::uint8_t> steady;   ///< by owned row: 1 if it sleeps and nothing in its sums changes.
+                                      ///< Before markSleeping, only rows of inner cells are set
   std::vector<std::uint8_t> skipped;  ///< by owned row: 1 if steady and already computed on this rank
   std::vector<double> interaction;    ///< J, by owned row, from the last step
   std::vector<std::uint8_t> fresh;    ///< by solid: 1 if deformation and flux match the sleeping position
@@ -96,7 +96,7 @@ void forgetChangedSolids(const Solids& solids, SleepWork& sleep);
 /// Sets Continuum::constraintForce of sleeping particles, before wall forces are added.
 void recordConstraintForces(Continuum& particles, const Scene& scene, const SleepWork& sleep);
 
-/// Updates rest times and sleep stages from all forces of a step of dt (s), and records the energy that
+/// Updates rest times and sleep stages from all forces of a step of dt (s). Records the energy that
 /// constraints remove.
 void updateSleep(const SleepView& view, double dt);
 

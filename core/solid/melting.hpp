@@ -15,9 +15,9 @@ void recordSoftening(const ElasticWork& work, const Continuum& particles, Solids
 void markMelted(const Continuum& particles, Solids& solids);
 
 /// Drops (weight 0) every bond of owned solids with a melted end, so that both ends lose it. The energy of
-/// these solids is recomputed at the positions of the last force evaluation, and the loss is added to
-/// phaseJump (J). Requires: called at the end of a step, after the update of the liquid fraction (with
-/// Solids::energy up to date) and before anything moves. Returns the number of solids that lost bonds.
+/// these solids is recomputed at the positions of the last force evaluation. The loss is added to phaseJump
+/// (J). Requires: called at the end of a step, after the update of the liquid fraction (with Solids::energy
+/// up to date) and before anything moves. Returns the number of solids that lost bonds.
 std::int64_t dropMeltedBonds(ElasticWork& work, const Continuum& particles, Solids& solids, Bonds& bonds,
                              ExactSum& phaseJump);
 

@@ -65,9 +65,9 @@ struct Extension {
   bool hasLaw() const { return law.kernels.lanes || law.response; }
 };
 
-/// Makes an extension known to all scenes that are read afterwards. Throws std::invalid_argument for a name
-/// that is taken or malformed, for a shape with the name of a shape of the library, and for an extension
-/// without parts.
+/// Makes an extension known to all scenes that are read afterwards. Throws std::invalid_argument for a
+/// name that is taken or malformed, and for an extension without parts. Also throws it for a shape with the
+/// name of a shape of the library.
 void registerExtension(Extension extension);
 
 /// Returns the extension of that name, or null.

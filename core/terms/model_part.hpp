@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A ModelPart declares a part of the library's own model: keys in the scene's own tables, such as [[lamp]] or
-// [material.NAME], modules, step limits and energies. Body forces, heat sources and pair forces also declare
-// their functions here. Sums that are fused for speed, such as pressure and viscosity, are called from
-// core/simulation/modules/. core/terms/terms.hpp lists all terms.
+// A ModelPart declares a part of the library's own model: keys, modules, step limits and energies. The keys
+// are in the scene's own tables, such as [[lamp]] or [material.NAME]. Body forces, heat sources and pair
+// forces also declare their functions here. Sums that are fused for speed, such as pressure and viscosity,
+// are called from core/simulation/modules/. core/terms/terms.hpp lists all terms.
 #pragma once
 #include <functional>
 #include <string>

@@ -27,9 +27,9 @@ struct OutsideLoad {
   const std::vector<std::uint8_t>* steady;  ///< rows without force and heat (WallContext::steady), or null
 };
 
-/// Called once in every evaluation of forces, on every rank, including ranks without particles. To give the
-/// same bits on any number of ranks, a load may use only the particle's own fields, the scene, the walls and
-/// the time. It may also use exact sums and maxima over all ranks.
+/// Called once in every evaluation of forces, on every rank, including ranks without particles. A load must
+/// give the same bits on any number of ranks. It may therefore use only the particle's own fields, the scene,
+/// the walls and the time. It may also use exact sums and maxima over all ranks.
 using OutsideSource = std::function<void(const OutsideLoad&)>;
 
 /// Returns true if a particle is neither clamped nor sleeping, so that forces move it.

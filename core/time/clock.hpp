@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Simulated time. Frame times and the end are hit exactly: equal steps lead up to each of them, and the time
+// Simulated time. Frame times and the end are hit exactly. Equal steps lead up to each of them, and the time
 // is then set to the exact value.
 #pragma once
 #include <cstdint>

@@ -89,8 +89,8 @@ double overlapSlope(double a, double b, double g) {
   return (1 - g) * b + g * b * b / (a * a + b * b + 1e-30);
 }
 
-/// Updates the contact offset. A liquid particle may be closer to a wall than the rest distance of solids,
-/// and freezing there must not create a compressed spring. The offset is therefore the distance at which the
+/// Updates the contact offset. A liquid particle may be closer to a wall than the rest distance of solids.
+/// Freezing there must not create a compressed spring. The offset is therefore the distance at which the
 /// particle froze. It becomes half a spacing once the particle has moved that far. Liquids have no depth
 /// below the surface of a solid.
 void updateContactOffset(Continuum& p, const Scene& scene, std::size_t i, double nearest) {

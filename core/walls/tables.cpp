@@ -16,10 +16,10 @@ struct Plane {
   double w = 0, slope = 0, laplace = 0, drag = 0, shear = 0;
 };
 
-/// Integrals over a plane at distance z (h) of W, -dW/dz, the Laplacian's kernel, and the viscous weight
-/// times x^2/r^2 and x^2 z^2/r^2, with x along the plane. On either side of s = 1/2, the first three
-/// integrands times s = |r| are polynomials of degree at most 7. The five-point Gauss rule is exact for
-/// these.
+/// Integrals over a plane at distance z (h). The integrands are W, -dW/dz, the Laplacian's kernel, and the
+/// viscous weight times x^2/r^2 and x^2 z^2/r^2. Here x is along the plane. On either side of s = 1/2, the
+/// first three integrands times s = |r| are polynomials of degree at most 7. The five-point Gauss rule is
+/// exact for these.
 template<class Kernel> Plane planeAt(double z, double viscousScale) {
   constexpr std::array<double, 5> node{-0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831,
                                        0.9061798459386640};
@@ -107,8 +107,8 @@ template<class Kernel> double secondMoment(double spacing) {
   return sum;
 }
 
-/// Inverse of the second derivative that a sum over layers on both sides gives for a temperature; 1 for plain
-/// conduction.
+/// Inverse of the second derivative that a sum over layers on both sides gives for a temperature. It is 1 for
+/// plain conduction.
 double perConduction(const Numerics& n) {
   if (conductionScale(n) == 1) return 1;
   return withKernel(n.kernel, [&](auto kernel) { return 1 / secondMoment<decltype(kernel)>(1 / n.support); });

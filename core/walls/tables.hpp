@@ -17,9 +17,9 @@ namespace thaw {
 ///   -d relativeDensity / d(distance).
 /// - conduct: sum V lap W (1 + z/d) (1/h^2), with the depth z of a layer. It is the Laplacian of a field that
 ///   is linear across the wall's surface (MFZ97).
-/// - drag: the same for a velocity along the wall, with the scene's viscosity. It is scaled such that layers
-///   at distances of one spacing have the total stress mu du/dz in a linear profile, for any position of the
-///   first layer.
+/// - drag: the same for a velocity along the wall, with the scene's viscosity. It is scaled such that
+///   layers at distances of one spacing have the total stress mu du/dz in a linear profile. This holds for
+///   any position of the first layer.
 /// - space: relativeDensity before forLiquids.
 /// - momentShare: sum V z |dW/dz| (1), the wall's part of the moment along the normal; z: distance to a
 ///   layer.

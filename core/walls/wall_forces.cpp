@@ -23,8 +23,8 @@ namespace {
 
 /// Limits a decay rate r (1/s) for a step dt (s). It is unchanged up to r dt = 1/2, and reduced beyond,
 /// so that it never overshoots. The exact average over the step, (1 - exp(-r dt)) / dt, is not used. The
-/// forces of neighbours are not averaged, so this average would be too low by a fraction r dt / 2, about a
-/// tenth, and the liquid would slip.
+/// forces of neighbours are not averaged. The average would thus be too low by a fraction r dt / 2, about a
+/// tenth. The liquid would then slip.
 double overStep(double r, double dt) {
   const double share = r * dt;
   return share > 0.5 ? (1 - 0.5 * std::exp(1 - 2 * share)) / dt : r;

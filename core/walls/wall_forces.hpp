@@ -23,7 +23,7 @@ struct WallContext {
   double fast = 1;  ///< 1 / substeps: contact of solids acts for this fraction of dt now; addSubstepContacts
                     ///< applies the remainder
   const std::vector<std::uint8_t>* steady = nullptr;  ///< by owned row: 1 if it sleeps with unchanged sums
-                                                      ///< (core/sleep/), and thus gets no force and heat;
+                                                      ///< (core/sleep/), and thus gets no force and heat.
                                                       ///< null: no such rows
   bool sleeps(std::size_t i) const { return steady && (*steady)[i]; }
 };

@@ -17,7 +17,7 @@ struct NormalBasis {
 constexpr double sameNormal = 0.02;
 
 /// Returns the basis for walls nearer than `reach` (m). In a wedge, normals that are not orthogonal must not
-/// be applied one after the other: the second would partly undo the effect of the first.
+/// be applied one after the other. The second would partly undo the effect of the first.
 NormalBasis normalBasis(std::span<const WallContact> contacts, double reach) {
   NormalBasis b;
   for (const WallContact& c : contacts) {
@@ -43,8 +43,8 @@ Sym3d alongWall(const Sym3d& moment, const Vec3d& n) {
 }
 
 /// Adds a coupling term to the moment along the wall. The term is `share` times m divided by the liquid's n-n
-/// part, where m is the part of the moment that couples n with the wall's plane. The inverse is still 1 along
-/// n, and shear along the wall does not change the density to first order in m. The pressure of liquid with
+/// part. Here m is the part of the moment that couples n with the wall's plane. The inverse is still 1 along
+/// n. To first order in m, shear along the wall does not change the density. The pressure of liquid with
 /// offset layers thus does not resist shear. With hardly any liquid across the wall, m is ignored.
 Sym3d withShear(const Sym3d& along, const Sym3d& moment, const Vec3d& n, double share) {
   constexpr double faint = 0.25;  // n-n part; 0.5 in the outermost layer of a lattice

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A shape of the program's own: a capsule, exact, as an obstacle on which a jelly ball comes to rest, and as
+// A shape of the program's own: an exact capsule. It is an obstacle on which a jelly ball comes to rest, and
 // a body.
 // capsule [FOLDER]: with a folder, it writes frames.
 #include <algorithm>

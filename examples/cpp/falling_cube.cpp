@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene made in code: a jelly cube falls for 0.1 s in free space, exactly g t^2 / 2, and its energy is
+// A scene made in code. A jelly cube falls for 0.1 s in free space, exactly g t^2 / 2, and its energy is
 // conserved.
 #include <cmath>
 #include <cstdio>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A source of heat with a field of its own: a lamp heats what is above a height, and each particle keeps the
-// dose that it absorbed. The dose moves with the particles, is in checkpoints and in frames.
+// A source of heat with a field of its own. A lamp heats everything above a height, and each particle keeps
+// the dose that it absorbed. The dose moves with the particles, is in checkpoints and in frames.
 // lamp [FOLDER]: with a folder, it writes frames, and continues from its checkpoint.
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An elastic law of the program's own (mooney_isa.cpp): its stress is the derivative of its energy, and a
+// An elastic law of the program's own (mooney_isa.cpp). Its stress is the derivative of its energy. A
 // block that swings after a stretch keeps its energy.
 // mooney [FOLDER]: with a folder, it writes frames.
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A body force with a key of its own: a harmonic trap holds a jelly ball, which swings through it as
+// A body force with a key of its own. A harmonic trap holds a jelly ball, which swings through it as
 // cos(omega t). The sum of its kinetic and elastic energy and its energy in the trap is constant.
 // trap [FOLDER]: with a folder, it writes frames.
 #include <algorithm>

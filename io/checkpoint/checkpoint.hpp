@@ -91,10 +91,10 @@ struct CheckpointSlice {
   std::vector<std::string> warnings;  ///< about newer files that could not be used
 };
 
-/// Writes a checkpoint into the older of the two files: owned particles, solids and bonds, the clock, and the
-/// sums over ranks of ledger and counters. The file is synced to disk, read back and compared before it gets
-/// its name. Returns its path. On failure throws the same IoError on all ranks, and the existing checkpoints
-/// remain. Requires: Continuum::solidIndex is up to date. Collective.
+/// Writes a checkpoint into the older of the two files. It contains owned particles, solids and bonds, the
+/// clock, and the sums over ranks of ledger and counters. The file is synced to disk, read back and compared
+/// before it gets its name. Returns its path. On failure throws the same IoError on all ranks, and the
+/// existing checkpoints remain. Requires: Continuum::solidIndex is up to date. Collective.
 std::string writeCheckpoint(const std::string& out, MPI_Comm comm, const World& world, const RunStamp& stamp,
                             const CheckpointValues& values = {});
 

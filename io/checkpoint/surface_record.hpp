@@ -5,7 +5,7 @@
 
 namespace thaw {
 
-/// Returns the record of a surface; `there` is false if the scene has no surface and takeSnapshot has not
+/// Returns the record of a surface. `there` is false if the scene has no surface and takeSnapshot has not
 /// filled the record.
 SurfaceRecord surfaceRecordOf(const Surface& surface);
 void restoreSurfaceRecord(const SurfaceRecord& record, Surface& surface);

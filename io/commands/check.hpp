@@ -25,8 +25,8 @@ void addCheckOptions(CLI::App& command, CheckOptions& options);
 /// Returns the report of the scene, or its errors, as JSON. Collective over `comm`.
 std::string checkJson(const CheckOptions& options, MPI_Comm comm);
 
-/// Samples the bodies and prints a report: particles per body, memory, modules with their reasons, the time
-/// step with its limit, and the estimated run time. Returns the exit code.
+/// Samples the bodies and prints a report. It has particles per body, memory, modules with their reasons, the
+/// time step with its limit, and the estimated run time. Returns the exit code.
 int checkCommand(const CheckOptions& options);
 
 }  // namespace thaw

@@ -28,7 +28,7 @@ struct RenderOptions {
   int width = 0, height = 0;    ///< pixels; 0: the scene's
   int columns = 4, cells = 12;  ///< contact sheet: columns, largest number of pictures
   double radius = 0;  ///< radius of the spheres, in particle spacings, or of the discs of surfels, in their
-                      ///< radii; 0: default, 0.7 and 1.25
+                      ///< radii. 0: default, 0.7 and 1.25
   std::string look = "mesh";
   std::string spray;               ///< look of drops of one and two particles (Spray); empty: the scene's
   std::string what = "automatic";  ///< "surface", "particles", or the surface if there is one

@@ -10,7 +10,7 @@ namespace thaw {
 
 struct CompareRule {
   /// < 0: bit by bit. Otherwise floating-point values may differ by this times the largest magnitude of their
-  /// field in either file; integers must be equal. NaN equals NaN only.
+  /// field in either file. Integers must be equal. NaN equals NaN only.
   double tolerance = -1;
 };
 
@@ -39,8 +39,8 @@ struct Comparison {
 /// Throws IoError for files that cannot be read.
 Comparison compareSnapshots(const Snapshot& a, const Snapshot& b, const CompareRule& rule);
 
-/// Returns lines of text: general differences (unless `all`, a few per type and a count of the rest), the
-/// first difference of a field, and the largest difference of each field.
+/// Returns lines of text: general differences, the first difference of a field, and the largest difference of
+/// each field. Unless `all`, general differences are a few per type and a count of the rest.
 std::vector<std::string> describe(const Comparison& comparison, bool all = false);
 
 }  // namespace thaw

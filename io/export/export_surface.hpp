@@ -26,8 +26,9 @@ void writeVtp(const std::filesystem::path& file, const SurfaceFrame& frame, cons
 void writeTrianglesVtp(const std::filesystem::path& file, const FrameData& frame,
                        const std::vector<std::array<std::uint32_t, 2>>& lines = {});
 
-/// Writes the triangles of meshes with normals, colours, the index of the mesh as "object", the label of its
-/// component (-1: none), and all fields that one of them has (mesh_fields.hpp). time: s.
+/// Writes the triangles of meshes with normals, colours, and all fields that one of them has
+/// (mesh_fields.hpp). Also writes the index of the mesh as "object", and the label of its component (-1:
+/// none). time: s.
 void writeMeshVtp(const std::filesystem::path& file, double time, const std::vector<ComponentMesh>& meshes);
 
 /// Writes a scene for POV-Ray 3.7: discs, camera, sun, sky, and floors. Lengths are scaled to a stage ten
@@ -40,7 +41,7 @@ void writePov(const std::filesystem::path& file, const SurfaceFrame& frame, cons
 /// "object", and all fields that one of the meshes has (mesh_fields.hpp). Ids are split into halves (id_high,
 /// id_low), since PLY has no 64-bit type. Lines are edges. OBJ has one object per mesh, called after its name
 /// or body, else `component_LABEL`. Lines are `l`. The comment line of a mesh that is cut at periodic sides
-/// ends with cutNote (", which extends through ..."), which is empty for other meshes.
+/// ends with cutNote (", which extends through ..."). cutNote is empty for other meshes.
 void writeMeshPly(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes);
 void writeMeshObj(const std::filesystem::path& file, const std::vector<ComponentMesh>& meshes);
 std::string cutNote(const ComponentMesh& mesh);

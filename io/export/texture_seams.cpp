@@ -93,8 +93,8 @@ class Charts {
     }
   }
 
-  /// Returns the coordinates of vertex `to` on the chart of vertex `from`; those of `from` itself where the
-  /// chart's gradient is unknown.
+  /// Returns the coordinates of vertex `to` on the chart of vertex `from`. Returns those of `from` itself
+  /// where the chart's gradient is unknown.
   Uv continued(std::uint32_t from, std::uint32_t to) const {
     const EdgeSums& sums = sums_.at(from);
     const Mat3d& e = sums.edges;

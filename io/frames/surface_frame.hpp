@@ -9,9 +9,9 @@ namespace thaw {
 /// Returns the name of the frames and the index of the surface.
 std::string surfaceName(const std::string& scene);
 
-/// Returns a frame of the owned surfels: position, id, normal, radius, color, component, detail; liquid and
-/// temperature if the scene has them. In single precision. ParaView and VTK expect the name "color" for red,
-/// green, blue. velocities: m/s, one per surfel, added as `velocity`; or none.
+/// Returns a frame of the owned surfels: position, id, normal, radius, color, component, detail. Also liquid
+/// and temperature if the scene has them. In single precision. ParaView and VTK expect the name "color" for
+/// red, green, blue. velocities: m/s, one per surfel, added as `velocity`; or none.
 Frame surfaceFrameOf(const Surface& surface, const Clock& clock, const std::vector<Vec3d>& velocities = {});
 
 /// Returns whether frames of the scene have velocities of surfels (`surface_velocity` in output.fields).

@@ -29,7 +29,7 @@ struct PixelBox {
 };
 
 /// Returns the colour, made lighter or darker until its contrast with the mean of the picture in the box is
-/// at least 4.5, which is the ratio of WCAG 2 for small text.
+/// at least 4.5. This is the ratio of WCAG 2 for small text.
 Rgb readableOn(const Image& image, const PixelBox& box, Rgb colour);
 
 /// Draws one line of text with its baseline's left end, centre or right end at (x, y), in pixels from the

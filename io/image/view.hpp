@@ -36,7 +36,7 @@ struct View {
 /// Returns the view of the scene's camera on a picture of width x height pixels.
 View viewOf(const Camera& camera, int width, int height);
 
-/// Returns a camera in front (against y), to the right and above, that fits the box into the picture (aspect:
+/// Returns a camera in front (against y), to the right and above. It fits the box into the picture (aspect:
 /// width over height) with a margin.
 Camera fittedCamera(const ViewBox& bounds, double aspect);
 

@@ -21,8 +21,8 @@ struct TexturedMesh {
   std::vector<std::array<Uv, 3>> uv;  ///< per triangle; empty if the file has none
 };
 
-/// Reads a mesh with texture coordinates: `vt` of OBJ; the vertex properties s and t, u and v, or texture_u
-/// and texture_v of PLY. Other files have none. Throws MeshError.
+/// Reads a mesh with texture coordinates. These are `vt` of OBJ, or the vertex properties s and t, u and v,
+/// or texture_u and texture_v of PLY. Other files have none. Throws MeshError.
 TexturedMesh readTexturedMesh(const std::string& path);
 
 TexturedMesh parseTexturedObj(std::string_view content, const std::string& file);

@@ -16,10 +16,10 @@ namespace thaw {
 /// sheets. Automatic: of the surface if it exists.
 enum class FrameKind { Automatic, Particles, Surface, Oriented, Sheet };
 
-/// Returns the frames at `path`, in order of time: a frame file (.hdf), a series index (.hdf.series), or a
-/// folder (a run's folder or its frames/). In a folder the index defines the frames; without an index all
-/// .hdf files count, by name. Surface frames whose index is missing count as well. Throws IoError with the
-/// path if there are none of this kind.
+/// Returns the frames at `path`, in order of time. `path` is a frame file (.hdf), a series index
+/// (.hdf.series), or a folder (a run's folder or its frames/). In a folder the index defines the frames;
+/// without an index all .hdf files count, by name. Surface frames whose index is missing count as well.
+/// Throws IoError with the path if there are none of this kind.
 std::vector<std::filesystem::path> findFrames(const std::filesystem::path& path,
                                               FrameKind kind = FrameKind::Automatic);
 

@@ -15,8 +15,8 @@ Lighting lightingOf(const Output& output);
 /// scene's pictures. Throws like makeSignedDistance for invalid shapes.
 FrameJob jobOfScene(const Scene& scene);
 
-/// Parses the scene from the text that its run stores in frames (Scene::text: all files, then the overrides)
-/// and the stem of the scene file's name. Throws SceneErrors, also for other text.
+/// Parses the scene from the text that its run stores in frames (Scene::text: all files, then the overrides).
+/// name: stem of the scene file's name. Throws SceneErrors, also for other text.
 Scene sceneOfText(const std::string& text, const std::string& name);
 
 }  // namespace thaw

@@ -465,8 +465,8 @@ void takeFolder(Run& r) {
   });
 }
 
-/// Begins a new run and writes its first frame. Sets stoppedInRelaxation, and leaves the folder as it is, if
-/// a stop request ended relaxation: the run would differ from that of the scene. Collective.
+/// Begins a new run and writes its first frame. If a stop request ended relaxation, sets stoppedInRelaxation
+/// and leaves the folder as it is. The run would differ from that of the scene. Collective.
 void beginAnew(Run& r, const MeshLoader& load) {
   World& w = r.world;
   if (r.options.resume)

@@ -45,10 +45,10 @@ std::vector<std::string> linesOf(std::vector<SceneError> errors) {
   return lines;
 }
 
-/// Drops check errors that an unknown key may have caused: errors of a table (before index `first`) if that
-/// table has an unknown key, and errors over several tables (from `first` on) at a table with an unknown key.
-/// The latter are also dropped if the file has an unknown key outside of all tables. For a missing name, that
-/// key must not resemble another table.
+/// Drops check errors that an unknown key may have caused. Errors of a table (before index `first`) are
+/// dropped if that table has an unknown key. Errors over several tables (from `first` on) are dropped at a
+/// table with an unknown key. The latter are also dropped if the file has an unknown key outside of all
+/// tables. For a missing name, that key must not resemble another table.
 void dropFollowOnErrors(std::vector<SceneError>& errors, std::size_t first) {
   using Kind = SceneError::Kind;
   std::set<std::string> tables, meant;  // meant: by unknown keys outside of all tables

@@ -8,9 +8,9 @@
 
 namespace thaw {
 
-/// Returns a line for each warning, with file and line of the scene. Topics: events and fields of oriented
-/// bodies after its end, fields of frames without use, unused materials, temperatures near 0 K, settings of
-/// the surface (surface_advice.hpp).
+/// Returns a line for each warning, with file and line of the scene. Topics are events and fields of oriented
+/// bodies after its end, fields of frames without use, and unused materials. Others are temperatures near
+/// 0 K, and settings of the surface (surface_advice.hpp).
 std::vector<std::string> sceneWarnings(const Scene& scene);
 
 /// Returns a line with a place in the scene and a sentence.

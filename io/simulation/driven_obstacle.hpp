@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An obstacle that a program moves, and the load of the particles on it: coupling with a body outside of
-// thaw, in both directions.
+// An obstacle that a program moves, and the load of the particles on it. This is coupling with a body
+// outside of thaw, in both directions.
 //
 //   thaw::DrivenObstacle ball(sim, "ball");
 //   sim.onStep([&] {
@@ -40,8 +40,8 @@ struct ObstacleLoad {
 /// outlives it and stays where it is in memory. All ranks make the same calls with the same values.
 class DrivenObstacle {
  public:
-  /// Throws std::invalid_argument for an unknown name, an obstacle without keyframes or shorter than a
-  /// periodic domain, and for scenes with forces on obstacles that load() would lack.
+  /// Throws std::invalid_argument for an unknown name, and for an obstacle without keyframes or shorter than
+  /// a periodic domain. Also throws it for scenes with forces on obstacles that load() would lack.
   DrivenObstacle(Simulation& sim, const std::string& name);
   /// Replaces the motion of the scene from now on. After a restart, call it before the first step. Throws
   /// std::invalid_argument for values that are not finite.

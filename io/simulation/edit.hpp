@@ -30,8 +30,8 @@ std::string editProblem(const Continuum& particles, const Edit& edit);
 /// Sets velocities and temperatures back to their values at the start.
 void undoEdit(Continuum& particles, const Edit& edit);
 
-/// Records the changes in the ledger: work m (v'^2 - v^2) / 2 (J), impulse m (v' - v) (N s), and heat (J) as
-/// the difference of enthalpies, which follow the temperatures (docs/theory/heat.md).
+/// Records the changes in the ledger: work m (v'^2 - v^2) / 2 (J), impulse m (v' - v) (N s), and heat (J).
+/// Heat is the difference of enthalpies, which follow the temperatures (docs/theory/heat.md).
 void recordEdit(Continuum& particles, Ledger& ledger, const Scene& scene, const Edit& edit);
 
 }  // namespace thaw

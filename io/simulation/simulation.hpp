@@ -49,7 +49,7 @@ class Simulation {
   /// messages and files, "scene" by default. A restart compares the scene with that of the checkpoint. Throws
   /// SceneErrors for values out of the ranges of scene files, and for references to missing materials.
   Simulation(Scene scene, RunOptions options, MPI_Comm comm = MPI_COMM_WORLD);
-  /// The same with the text of a scene file (TOML), equal on all ranks; paths are relative to the working
+  /// The same with the text of a scene file (TOML), equal on all ranks. Paths are relative to the working
   /// folder.
   static Simulation fromText(const std::string& text, RunOptions options, MPI_Comm comm = MPI_COMM_WORLD);
   ~Simulation();
@@ -131,8 +131,8 @@ class Simulation {
   /// endEdit returns whether some rank changed one; forces and the next step are then computed anew. The
   /// ledger records the change as work, impulse and heat from outside, and retries keep it. No step is
   /// possible during an edit. Both functions throw std::logic_error if called out of order. endEdit throws
-  /// std::invalid_argument on all ranks for values that are not finite and for temperatures below 0 K, and
-  /// reverts all changes.
+  /// std::invalid_argument on all ranks for values that are not finite and for temperatures below 0 K. It
+  /// then reverts all changes.
   Continuum& beginEdit();
   bool endEdit();
   /// Requests that all ranks stop after the next step. It suffices to call it on one rank.

@@ -85,7 +85,7 @@ class Improver {
   }
 
   /// Returns whether a triangle keeps its direction when vertex v moves to x. A small triangle may turn in
-  /// any direction that its vertices' normals agree with, and in the last passes in any direction.
+  /// any direction that its vertices' normals agree with. In the last passes it may turn in any direction.
   bool keepsDirection(const Triangle& t, std::uint32_t v, const Vec3d& x) const {
     const auto c = cornersWith(t, v, x);
     const Vec3d before = areaNormal(at(t[0]), at(t[1]), at(t[2])), after = areaNormal(c[0], c[1], c[2]);

@@ -21,9 +21,10 @@ struct MarchedBand {
 MarchedBand marchBand(const BandGrid& grid, const BandHeights& heights, const PlaneField& planes,
                       const Vec3f& deep, bool projectedLater);
 
-/// Removes spurious closed shells next to a larger one. A shell is spurious if its volume is below two cubes
-/// (nearest surfels may disagree at sharp edges), or if less than half of its area is on discs. Bubbles and
-/// fragments in narrow creases have about a tenth of their area on discs, real surfaces nearly all.
+/// Removes spurious closed shells next to a larger one. A shell is spurious if its volume is below two cubes,
+/// since nearest surfels may disagree at sharp edges. It is also spurious if less than half of its area is on
+/// discs. Bubbles and fragments in narrow creases have about a tenth of their area on discs, real surfaces
+/// nearly all.
 void removeFragments(MarchedBand& band, const PlaneField& planes, double spacing);
 
 }  // namespace thaw

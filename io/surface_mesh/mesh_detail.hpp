@@ -8,7 +8,7 @@ namespace thaw {
 
 struct MeshDetail {
   double cell = 1;           ///< edge of the cubes, in mean radii of the surfels
-  double mostOfSize = 0.15;  ///< largest edge of the cubes, as a fraction of the size of the component; 0.15
+  double mostOfSize = 0.15;  ///< largest edge of the cubes, as a fraction of the size of the component. 0.15
                              ///< keeps drops of a few surfels spherical
   const Walls* walls = nullptr;  ///< walls at the time of the frame, at which the mesh ends, except for walls
                                  ///< with a surfel deeper than its radius

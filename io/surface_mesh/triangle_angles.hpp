@@ -8,8 +8,8 @@
 
 namespace thaw {
 
-/// Returns the largest cosine of a triangle's angles, which is that of its smallest angle; 1 for a triangle
-/// without area.
+/// Returns the largest cosine of a triangle's angles, which is that of its smallest angle. Returns 1 for a
+/// triangle without area.
 inline double sharpestCosine(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   const Vec3d u = b - a, v = c - b, w = a - c;
   const double u2 = dot(u, u), v2 = dot(v, v), w2 = dot(w, w);

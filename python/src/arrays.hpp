@@ -22,7 +22,7 @@ struct ArrayGuard {
 };
 
 /// The arrays that Python holds of the columns of a simulation. They share the columns' memory until
-/// release(), which separates those that are still in use: they keep the memory with their last values, and
+/// release(), which separates those that are still in use. These keep the memory with their last values, and
 /// the column gets a copy. No array thus reads freed memory, and none that is kept changes the simulation.
 class ColumnArrays {
  public:

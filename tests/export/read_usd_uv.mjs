@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks texture coordinates of a USD layer with the parser of three.js: node read_usd_uv.mjs MODULES FILE.
-// The surface is a cube of 0.2 m that moves by 1 m/s; u = x and v = z of its mesh, 0 to 1.
+// The surface is a cube of 0.2 m that moves by 1 m/s. Its mesh has u = x and v = z, 0 to 1.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';

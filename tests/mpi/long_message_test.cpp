@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A message of more than 2^31 bytes, beyond MPI's counts, in chunks of real size: from the first rank to the
-// last, or to itself on one rank.
+// A message of more than 2^31 bytes, beyond MPI's counts, in chunks of real size. It is sent from the first
+// rank to the last, or to itself on one rank.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

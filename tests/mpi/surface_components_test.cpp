@@ -12,8 +12,7 @@ using namespace thaw::test;
 
 namespace {
 
-/// A scene of many bodies: a long wire, two touching balls, a ball across a periodic side, a dumbbell, a drop
-/// in a pool, a spray.
+/// A long wire, two touching balls, a ball across a periodic side, a dumbbell, a drop in a pool, and a spray.
 template<class Rig> void fill(Rig& rig) {
   rig.box({-1.9, -0.1, 1.5}, {38, 2, 2});  // crosses all ranks
   rig.body = 1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// extension_step PART built-in|extension: a few steps of a small block on one rank without MPI, with a part
-// of the library or with its copy in an extension. extensions_test.sh compares their instructions.
+// extension_step PART built-in|extension: a few steps of a small block on one rank without MPI. The block
+// uses a part of the library or its copy in an extension. extensions_test.sh compares their instructions.
 #include <cstdio>
 #include <cstring>
 #include <string>

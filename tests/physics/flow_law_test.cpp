@@ -25,7 +25,7 @@ Material paste(FlowLaw law, double yield, double viscosity, double n) {
   return m;
 }
 
-/// A layer on a plane that is inclined along x; the driving stress at its bottom is rho g H sin(slope), 195
+/// A layer on a plane that is inclined along x. The driving stress at its bottom is rho g H sin(slope), 195
 /// Pa.
 Scene layer(const Material& m) {
   Scene s = columnScene(dx, 0, 2 * height);

@@ -26,7 +26,7 @@ double explicitLimit(const Scene& s, double nu) {
 }
 
 /// Energy (J) that the ledger records ahead. The work of a force is recorded in the step that computes the
-/// force, and half of its kick follows in the next step with another velocity.
+/// force. Half of its kick follows in the next step with another velocity.
 double recordedAhead(const Simulation& run) {
   const Continuum& p = run.w.particles;
   const double dt = run.w.clock.stepDt;

@@ -187,8 +187,8 @@ TEST(Incompressible, MomentumIsConserved) {
 }
 
 // A layer of wax freezes from below under its weight. Frozen particles keep no pressure of their last step as
-// a liquid. Their pairs with other solids are summed only if a liquid shares their group of eight, and groups
-// depend on the number of ranks.
+// a liquid. Their pairs with other solids are summed only if a liquid shares their group of eight. These
+// groups depend on the number of ranks.
 TEST(Incompressible, ImpactAtTheStartIsDissipated) {
   // Two halves of a block meet: the first pressure stops most of their motion.
   Scene s = emptyScene(0.02, {-0.4, -0.4, -0.4}, {0.4, 0.4, 0.4});

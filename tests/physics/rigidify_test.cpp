@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of elastic solids move as rigid pieces while they do not deform (core/rigid/rigidify/): bodies in
+// Parts of elastic solids move as rigid pieces while they do not deform (core/rigid/rigidify/). Bodies in
 // free fall take long steps, bounces and bending stay those of the elastic body, and the ledger closes.
 #include <gtest/gtest.h>
 

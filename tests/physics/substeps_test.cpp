@@ -128,7 +128,7 @@ TEST(Substeps, LedgerClosesForWallsClampsAndCreep) {
   EXPECT_NEAR(plastic[1], plastic[0], 0.02 * plastic[0]);
 }
 
-// With 8 substeps the step is near half a period of modes of the undamped block, which pumps 0.8 % of the
+// With 8 substeps the step is near half a period of modes of the undamped block. This pumps 0.8 % of the
 // energy into it.
 TEST(Substeps, KeepAStiffBlockInWaterStable) {
   for (const int n : {1, 4}) {
@@ -280,8 +280,8 @@ double residualOfMush(const MushCase& c) {
 }
 
 // Walls act on a mushy particle along its mean velocity over the substeps, and viscous forces dissipate with
-// it. With the velocity at the end of the substeps, carried densities gain 14 % with 1 Pa s and 3 % with 10;
-// summed ones gain 4 % with 100. At the limit of viscosity, mush is stable up to a shorter step than liquid.
+// it. With the velocity at the end of the substeps, carried densities gain 14 % with 1 Pa s and 3 % with 10.
+// Summed ones gain 4 % with 100. At the limit of viscosity, mush is stable up to a shorter step than liquid.
 TEST(Substeps, MushOnAPlateGainsNoEnergy) {
   for (const MushCase& c :
        {MushCase{1, 4, 0.175}, MushCase{10, 4, 0.175}, MushCase{100, 4, 0.175}, MushCase{100, 1, 0.7},
@@ -295,7 +295,7 @@ TEST(Substeps, SlowForcesOnMushFeedNoElasticWaves) {
 }
 
 // With drag by its mean velocity, fast waves of the block would grow from one impulse of the drag to the
-// next, until their energy exceeds all others.
+// next. Their energy would finally exceed all others.
 TEST(Substeps, DragOfThickLiquidFeedsNoElasticWaves) {
   Scene s = emptyScene(0.015, {0, 0, 0}, {0.21, 0.21, 0.4});
   for (auto& side : s.domain.side) side = {Side::Wall, Side::Wall};

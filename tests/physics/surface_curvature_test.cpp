@@ -191,7 +191,7 @@ TEST(SurfaceCurvature, LiquidAboveAFilmIsHeldAtAnyContactAngle) {
 }
 
 // The wedge of gas below a drop at 150 degrees is narrower than the kernel. A drop that begins with this
-// angle sinks by 13 % if the wedge counts as filled, since it then spreads; by 9 % if not.
+// angle sinks by 13 % if the wedge counts as filled, since it then spreads. Otherwise it sinks by 9 %.
 TEST(SurfaceCurvature, ADropOverhangsItsWall) {
   Scene s = drop(0.125);
   s.domain.min.z = 0;

@@ -113,7 +113,7 @@ double climbOf(double support, const Vec3d& size, const Vec3d& aside, bool floor
   return climb / (dx * dx);
 }
 
-// A one-particle drop that approaches liquid of its kind or a floor meets no energy barrier, so it does not
+// A one-particle drop that approaches liquid of its kind or a floor meets no energy barrier. It thus does not
 // hang a support radius above it.
 TEST(SurfaceEnergy, LoneParticleMeetsNoBarrier) {
   EXPECT_LT(climbOf(2, {8, 8, 4}, {0.5, 0.5, 0}), 0.2);  // over a particle

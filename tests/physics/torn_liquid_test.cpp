@@ -42,8 +42,8 @@ double unexplained(const Scene& s) {
   return r.ledgerReport().energyResidual / kinetic;
 }
 
-// Without the limit on the density change of a step, detached particles oscillate from step to step, and the
-// energy grows by more than 10 %.
+// Without the limit on the density change of a step, detached particles oscillate from step to step. The
+// energy then grows by more than 10 %.
 TEST(TornLiquid, GainsNoEnergy) {
   const Tear coarse{0.156553, 10.7, 0, {0.344, 1.224, 1.172}, {1.843, 0.346, 0}, 2.5};
   EXPECT_LT(std::abs(unexplained(torn(coarse))), 0.03);

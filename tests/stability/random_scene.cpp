@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// random_scene SEED: prints a scene (TOML) that is a function of the seed. Bodies have all shapes, materials
-// span six decades of stiffness and viscosity, with every law and most keys; 200 to 3000 particles. No
-// parameter is tuned: soft bodies hit hard, hot floors melt falling bodies, and some bodies overlap. Three
-// seeds in five have a theme. Bodies float or sink in a tank that the lattice does not fit, plastic bodies
-// lie under a press, liquids spin or are torn apart, rigid pieces fall, break, melt and freeze, or lamps and
-// lasers heat liquids with flow laws. random_scenes_test.sh runs them.
+// random_scene SEED: prints a scene (TOML) that is a function of the seed. Bodies have all shapes. Materials
+// span six decades of stiffness and viscosity, with every law and most keys. There are 200 to 3000 particles.
+// No parameter is tuned: soft bodies hit hard, hot floors melt falling bodies, and some bodies overlap. Three
+// seeds in five have a theme. The themes are:
+// - bodies float or sink in a tank that the lattice does not fit,
+// - plastic bodies lie under a press,
+// - liquids spin or are torn apart,
+// - rigid pieces fall, break, melt and freeze,
+// - lamps and lasers heat liquids with flow laws.
+// random_scenes_test.sh runs them.
 #include <fmt/format.h>
 
 #include <algorithm>

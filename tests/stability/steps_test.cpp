@@ -135,9 +135,9 @@ TEST(Stability, Row10TaitInStrongCompression) {
 }
 
 TEST(Stability, Row12LightParticlesInAThickLiquid) {
-  // Particles with a hundredth of the others' density, which are fifty times as viscous, at rest with noise:
-  // in layers, in rows, single. In the pairwise form the light liquid's own viscosity limits the step, in the
-  // printed form the arithmetic mean of both.
+  // Particles with a hundredth of the others' density, at rest with noise: in layers, in rows, single. The
+  // others are fifty times as viscous. In the pairwise form the light liquid's own viscosity limits the step,
+  // in the printed form the arithmetic mean of both.
   struct Case {
     ViscosityForm form;
     double over;

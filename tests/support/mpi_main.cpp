@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// main of the MPI tests: every rank runs every test, and a failure on any rank fails the run on all. Rank 0
+// main of the MPI tests. Every rank runs every test, and a failure on any rank fails the run on all. Rank 0
 // reports as usual; the others print only failures.
 #include <gtest/gtest.h>
 #include <mpi.h>

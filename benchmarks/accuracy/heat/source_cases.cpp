@@ -58,8 +58,8 @@ struct Track {
 
 using Exact = std::function<double(const Vec3d&)>;
 
-/// Errors of the temperature rise in the part of the block where `within` holds: L2 relative to the exact
-/// rise, and the largest one over `scale` (K).
+/// Errors of the temperature rise in the part of the block where `within` holds. The first is L2 relative to
+/// the exact rise, the second the largest one over `scale` (K).
 std::vector<Figure> errorsOf(Trial& r, const Exact& exact, const std::function<bool(const Vec3d&)>& within,
                              double scale) {
   const double start = r.world.scene.bodies[0].temperature;

@@ -94,8 +94,8 @@ std::vector<double> crossings(const Curve& c, double level) {
   return times;
 }
 
-/// Mean over whole periods, and the first period between the first and third crossing of the mean (0 if there
-/// are fewer crossings).
+/// Mean over whole periods. The period is the first one between the first and third crossing of the mean (0
+/// if there are fewer crossings).
 struct Swing {
   double mean, period;
 };

@@ -108,7 +108,7 @@ void shake(Trial& r) {
   }
 }
 
-/// Lets the drop come to rest twice. With a surface energy it is shaken in between: surface particles resist
+/// Lets the drop come to rest twice. With a surface energy it is shaken in between. Surface particles resist
 /// like a soft solid, and the drop stops short of its angle, as on a rough wall (DG96).
 void watchDrop(Trial& r) {
   const Clock& c = r.world.clock;

@@ -72,8 +72,8 @@ Units commonUnits(const CurvatureContext& x, const std::vector<Vec3d>& force) {
   return {unit(most[0]), unit(most[1])};
 }
 
-/// Returns true if the surface ends near a row: at a wall, a solid, or a clamped or sleeping particle,
-/// which take up momentum.
+/// Returns true if the surface ends near a row. It ends at a wall, a solid, or a clamped or sleeping
+/// particle, which take up momentum.
 bool surfaceEndsNear(const CurvatureContext& x, std::uint32_t i, std::size_t g, std::size_t l) {
   if (!isFree(x.world.particles, i)) return true;
   for (const WallContact& c : contactsOf(x.contacts, i))

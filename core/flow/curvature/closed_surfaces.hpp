@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forces on closed surfaces. The surface tension of a free drop or bubble exerts no net force on it: the
+// Forces on closed surfaces. The surface tension of a free drop or bubble exerts no net force on it. The
 // integral of -gamma kappa n + grad_s gamma over a closed surface is 0. Errors of the curvature leave a net
 // force, which is subtracted in proportion to the areas of the particles. Momentum is thus conserved.
 #pragma once

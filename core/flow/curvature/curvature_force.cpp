@@ -14,7 +14,7 @@ namespace thaw {
 namespace {
 
 /// Returns the forces (N) on liquid due to curvature and tension gradient. A force is at most the tension of
-/// both faces of a film times one spacing, the force on a particle at the edge of a film.
+/// both faces of a film times one spacing. This is the force on a particle at the edge of a film.
 std::vector<Vec3d> forcesByCurvature(const WallView& w, const std::vector<FreeSurfaceElement>& elements) {
   std::vector<Vec3d> forces(elements.size());
   for (std::uint32_t i = 0; i < elements.size(); i++) {
@@ -29,7 +29,7 @@ std::vector<Vec3d> forcesByCurvature(const WallView& w, const std::vector<FreeSu
 }
 
 /// Removes the part of a force (N) that lifts a particle off a close wall. At the edge of the liquid, the
-/// wall bears the normal component of the tension, so the edge does not pull a drop off its wall.
+/// wall bears the normal component of the tension. The edge thus does not pull a drop off its wall.
 Vec3d borneByWalls(const CurvatureContext& x, std::uint32_t i, Vec3d force) {
   for (const WallContact& c : contactsOf(x.contacts, i))
     force -= c.normal * (shareOfWall(x, c) * std::max(dot(force, c.normal), 0.0));

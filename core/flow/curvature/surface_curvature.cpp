@@ -163,7 +163,7 @@ void findSurfaceNormals(const CurvatureContext& x, std::vector<FreeSurfaceElemen
 }
 
 /// Returns the gradient (N/m^2) of the tension, scaled to the surface half a spacing outside of the
-/// particles. The scale is the ratio of the areas; in a direction of curvature k, lengths grow by 1 + k dx
+/// particles. The scale is the ratio of the areas. In a direction of curvature k, lengths grow by 1 + k dx
 /// / 2. Curvature and gradient then refer to the same surface, so the forces on a closed surface add up to 0.
 Vec3d gradientOutside(const TangentFit& fit, double h, double dx) {
   const double half = 0.5 * dx / h;

@@ -40,8 +40,8 @@ struct FreeSurfaceElement {
 
 /// Returns the surface elements of owned rows. Collective.
 /// Requires: surfaceGradient and surfaceColour of owned rows without walls, temperatures of ghosts.
-/// Ensures: surfaceGradient is the normal times the resolved part of the area, and surfaceColour the
-/// curvature (1/m) before smoothing, both also of ghosts; 0 inside.
+/// Ensures: surfaceGradient is the normal times the resolved part of the area, and surfaceColour is the
+/// curvature (1/m) before smoothing. Both are also set for ghosts, and are 0 inside.
 std::vector<FreeSurfaceElement> findFreeSurface(const CurvatureContext& context);
 
 }  // namespace thaw

@@ -13,7 +13,7 @@ namespace thaw {
 /// tension, without viscosity, and with flow laws.
 double tensionInterval(const Scene& scene);
 
-/// Returns true if the force is evaluated at the end of a step of dt (s); dt = 0: at the start. The number of
+/// Returns true if the force is evaluated at the end of a step of dt (s). dt = 0: at the start. The number of
 /// steps between evaluations is the largest power of two, up to 64, that fits into the interval. When this
 /// number changes, one number is a multiple of the other, so no evaluation is delayed for long. Requires: the
 /// clock at the beginning of the step.

@@ -46,8 +46,8 @@ void moveToStart(const CarryContext& x, WallContact& c, bool nearest) {
   const Wall& wall = x.walls.list[c.wall];
   Vec3d normal;
   const double distance = wall.shape->distance(toRest(wall.pose, p.position[c.row] + back), &normal);
-  // If it is less than the distance from the plane, it belongs to another face of a concave wall, which has
-  // its own contact.
+  // If it is less than the distance from the plane, it belongs to another face of a concave wall. That face
+  // has its own contact.
   if (distance <= c.distance + 1e-3 * along) return;
   c.distance = distance;
   c.normal = directionFromRest(wall.pose, normal);

@@ -47,7 +47,7 @@ void beginCarry(const CarryContext& context);
 /// Returns the input and output of the density sums. The result refers to data of the context.
 CarryStep carryStepOf(const CarryContext& context);
 
-/// Ends the step of carried densities after the density sums: resets particles without liquid nearby, and
+/// Ends the step of carried densities after the density sums. Resets particles without liquid nearby, and
 /// stores the summed densities that later checks need.
 void finishCarry(const CarryContext& context);
 

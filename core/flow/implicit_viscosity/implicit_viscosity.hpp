@@ -13,8 +13,8 @@
 // accumulate.
 //
 // Differences to the paper: the pair sum is that of the explicit form (no dimension factor or artificial
-// scaling; walls by tables). Solid particles, bonded or not, are unknowns, and clamped and driven particles
-// are known velocities, so both ends of every pair receive the force. The iteration ends when its error is
+// scaling, and walls by tables). Solid particles, bonded or not, are unknowns. Clamped and driven particles
+// are known velocities. Both ends of every pair thus receive the force. The iteration ends when its error is
 // small relative to the change by viscosity, not relative to the velocity.
 #pragma once
 #include <cstddef>
@@ -41,11 +41,11 @@ struct ViscosityView {
   JointMotion* joint = nullptr;  ///< rigid pieces; null: all particles move on their own
 };
 
-/// Adds viscous forces (N) to Continuum::force and their loss (W) to dissipation, and records the part of
-/// walls and clamps in the ledger. The kick lasts WallContext::span. Iterates until the error in |.|_M is at
-/// most Numerics::viscosityTolerance times the velocity change by viscosity, or for
-/// Numerics::viscosityIterations iterations (Counters::viscousUnfinished). Requires: all other forces, and
-/// current neighbour lists, records and wall contacts. Collective; the same bits on any number of ranks.
+/// Adds viscous forces (N) to Continuum::force and their loss (W) to dissipation. Records the part of walls
+/// and clamps in the ledger. The kick lasts WallContext::span. Iterates until the error in |.|_M is at most
+/// Numerics::viscosityTolerance times the velocity change by viscosity, or for Numerics::viscosityIterations
+/// iterations (Counters::viscousUnfinished). Requires: all other forces, and current neighbour lists, records
+/// and wall contacts. Collective; the same bits on any number of ranks.
 void addImplicitViscosity(const ViscosityView& view, Halos halos, const PairSums& sums,
                           const WallContext& walls);
 

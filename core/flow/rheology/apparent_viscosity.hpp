@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Apparent viscosity of liquids with a flow law: the shear rate of each particle from the velocities of its
-// neighbours and walls, and the viscosity at that rate.
+// Apparent viscosity of liquids with a flow law. It is the viscosity at each particle's shear rate, which
+// follows from the velocities of neighbours and walls.
 #pragma once
 #include "core/fluid/pair_sums/records.hpp"
 #include "core/walls/wall_forces.hpp"

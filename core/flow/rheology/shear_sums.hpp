@@ -27,8 +27,8 @@ struct ShearKernels {
   void (*sum)(const PairSums&, const ShearSums&, GroupRange);
 };
 
-/// Returns the set of that name, or the best one for this processor if the name is empty; nullptr for unknown
-/// or unsupported names.
+/// Returns the set of that name, or the best one for this processor if the name is empty. Returns nullptr for
+/// unknown or unsupported names.
 const ShearKernels* shearKernels(const char* name = "");
 
 /// Returns the shear rate times h (m/s): sqrt(2 D:D), D the strain rate without its trace. The velocity

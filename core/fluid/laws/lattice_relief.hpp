@@ -16,9 +16,9 @@ struct ReliefInput {
 };
 
 /// Force (N) on the particle from all its solid neighbours (Continuum::relief). Equal pressures push
-/// particles to evenly spaced positions, which binds the first layers of a liquid to the particles of a
-/// solid. Next to a solid, a fixed share of this force is therefore removed. The removed force is the
-/// component along the solid of -2 p_i V_i grad C_i, which is due to the particle's own pressure. The solid's
+/// particles to evenly spaced positions. This binds the first layers of a liquid to the particles of a solid.
+/// Next to a solid, a fixed share of this force is therefore removed. The removed force is the component
+/// along the solid of -2 p_i V_i grad C_i. This term is due to the particle's own pressure. The solid's
 /// particles receive the opposite force. The force has no potential, so liquid that slips along a solid gains
 /// some energy. Solids that are fixed in place are excluded; next to these, nothing is removed.
 Vec3f latticeRelief(const ReliefInput& input);

@@ -21,18 +21,18 @@
 // term lacks.
 //
 // Forces are the gradient of the sum of E with respect to positions at fixed volumes. The pair force is V_i
-// V_j (H (u_i - u_j) + (s_i + s_j) grad W), with H the Hessian of W, u = dE/dn and s = dE/dcolour per volume.
-// Momentum, angular momentum and energy are conserved. The kernel is that of surface_kernel.hpp.
+// V_j (H (u_i - u_j) + (s_i + s_j) grad W). Here H is the Hessian of W, u = dE/dn, and s = dE/dcolour per
+// volume. Momentum, angular momentum and energy are conserved. The kernel is that of surface_kernel.hpp.
 //
 // Calibration: the lattice's surface has the energy C sigma, of which 0.73 is in the colour term. Packed
 // drops (R / dx = 8 and 12) then have Laplace's pressure in their equation of state and the period of the
 // second mode. With a smaller share in the colour term, oscillations are too fast at the right pressure. With
-// the plain square of o, drops swell by 1 % if the share is one third, and by less than 0.2 % if it is at
-// least one half. For supports other than 2, C and the share follow from the pressure alone.
+// the plain square of o, drops swell by 1 % if the share is one third. They swell by less than 0.2 % if it is
+// at least one half. For supports other than 2, C and the share follow from the pressure alone.
 //
 // Limits: the energy depends on the arrangement of particles. Surface particles form shells, and the energy
 // falls to a third of sigma times the area. Disorder inside leaves colour below 1, which causes tension. The
-// pressure of all forces is thus about a third of that of the equation of state, and falls as the inside
+// pressure of all forces is thus about a third of that of the equation of state. It falls as the inside
 // becomes ordered (docs/validation/limitations.md). Shells resist like a soft solid: waves are damped two to
 // three times as much as by viscosity. Threads in single file, 0.55 spacings apart, have two thirds of a
 // cylinder's surface and three times its tension. They form where drops should pinch off.
@@ -73,8 +73,8 @@ struct SurfaceKernelValue {
 SurfaceKernelValue surfaceKernelAt(const Vec3d& x);
 
 /// Contribution of a flat wall to the colour at a distance (h), with its first and second derivative. As in
-/// the wall tables, the first layer lies half a spacing below the surface, and further layers at distances of
-/// one spacing. Each layer is averaged over its plane.
+/// the wall tables, the first layer lies half a spacing below the surface. Further layers follow at
+/// distances of one spacing. Each layer is averaged over its plane.
 struct WallColour {
   double colour = 0, slope = 0, bend = 0;
 };

@@ -30,8 +30,8 @@ struct PairKernels {
   void (*response)(const PairSums&, GroupRange);
 };
 
-/// Returns the set of that name, or the best one for this processor if the name is empty; nullptr for unknown
-/// or unsupported names.
+/// Returns the set of that name, or the best one for this processor if the name is empty. Returns nullptr for
+/// unknown or unsupported names.
 const PairKernels* pairKernels(const char* name = "");
 
 }  // namespace thaw

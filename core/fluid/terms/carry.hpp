@@ -196,8 +196,8 @@ template<class Real, bool Corrected, bool Surfaces, bool Mixed> struct CarryLane
         x.shiftingVelocity[at.row[l]] = x.walls.along(x.walls.context, at.row[l], laneAt(u, l));
   }
 
-  /// Inverse moment minus 1, times a weight. The weight is 0 up to a summed relative density of 0.9, where a
-  /// free surface truncates the sums, and 1 from 0.95 on. It is 0 if neighbours are on one side, as at the
+  /// Inverse moment minus 1, times a weight. The weight is 1 from a summed relative density of 0.95 on. It is
+  /// 0 up to 0.9, where a free surface truncates the sums. It is 0 if neighbours are on one side, as at the
   /// surface of a thin jet. Compressed particles that reach 0.9 there would oscillate. It is also 0 if an
   /// eigenvalue is below 0.4, since corrections above 2.5 would be unstable at this step.
   THAW_INLINE Tensor<L> correctionNow() const {

@@ -8,9 +8,9 @@ namespace THAW_ISA {
 namespace {
 
 /// Relative density: delta_i = sum_j V0_j W_ij / (value of the sum on the lattice), self included, minus
-/// PairSums::selfExcess. It is 1 on the lattice and grows under compression like the density. Without
-/// selfExcess, a correction as in DA12 eq. 18, the slope would be 0.95 of that at h = 2 dx, on bcc and fcc
-/// lattices as well.
+/// PairSums::selfExcess. It is 1 on the lattice and grows under compression like the density. The term
+/// selfExcess is a correction as in DA12 eq. 18. Without it, the slope at h = 2 dx would be 0.95 of the
+/// density's, on bcc and fcc lattices as well.
 template<class Real, class Kernel> struct Density {
   using L = Lanes<Real>;
   const Record<Real>* positionVolume;

@@ -9,8 +9,9 @@
 // with L = Lanes<float> or Lanes<double>, eight pairs at once. Each factor must be symmetric in the two
 // particles to the last bit, so that momentum is conserved.
 //
-// The force on particle i is F_i = sum_j f_i f_j (along * (x_i - x_j) + drag * (v_i - v_j)) with the liquid
-// fractions f, and F_j has the opposite sign. With along = -(dE/dr) / r the sum of E over pairs is conserved.
+// The force on particle i is F_i = sum_j f_i f_j (along * (x_i - x_j) + drag * (v_i - v_j)). Here f are the
+// liquid fractions, and F_j has the opposite sign. With along = -(dE/dr) / r the sum of E over pairs is
+// conserved.
 #pragma once
 #include "core/fluid/pair_sums/extension_pair_force.hpp"
 #include "core/fluid/terms/term.hpp"

@@ -19,21 +19,21 @@ template<class L> THAW_INLINE L movableSolid(L liquidFraction) {
   return select(hasMinus(liquidFraction), L(0.0), L(1.0) - liquidFraction);
 }
 
-/// Pressure: F_i = -1/S sum V_i V_j (p_i / d_i^2 + p_j / d_j^2) grad W with relative densities d and the
-/// lattice sum S (docs/theory/pressure.md; variational, M05 eq. 3.3), or as printed in K05. Viscosity:
-/// Monaghan's pair form along r (M05 eq. 8.9 without its artificial scaling), or MCG03 eq. 13
+/// Pressure: F_i = -1/S sum V_i V_j (p_i / d_i^2 + p_j / d_j^2) grad W (variational, M05 eq. 3.3), or as
+/// printed in K05. Here d are relative densities, and S is the lattice sum (docs/theory/pressure.md).
+/// Viscosity: Monaghan's pair form along r (M05 eq. 8.9 without its artificial scaling), or MCG03 eq. 13
 /// (docs/theory/viscosity.md). Without Viscous it is implicit (viscous_operator.hpp). Heat conduction: CM99
 /// eq. 36. Fields of the records: docs/developer/extend.md.
-/// A solid particle responds with the pressure of its liquid neighbour (A12): the force is the gradient of
+/// A solid particle responds with the pressure of its liquid neighbour (A12). The force is the gradient of
 /// the liquid's compression energy, so the pair conserves energy. It also has viscous drag. Two solids do not
 /// interact.
 /// Carried: pressure is a tensor, p / (relative density)^2 times the gradient correction, the inverse moment
 /// (BL99). The force is the adjoint of the corrected divergence, so pairs conserve momentum and energy. It is
 /// not central. The pressure of a solid near liquid acts only between that solid and liquids.
 /// Relief: pressureDiagonal.d, pressureOffDiagonal.d and pressurePhaseHeat.a are the force on liquid from all
-/// its solid neighbours (core/fluid/laws/lattice_relief.hpp), divided among the pairs by V W of the solids.
-/// Fixed solids, which have a liquid fraction of -0, have no such force: they need not slip, and the force
-/// would stir liquid at rest.
+/// its solid neighbours (core/fluid/laws/lattice_relief.hpp). It is divided among the pairs by V W of the
+/// solids. Fixed solids, which have a liquid fraction of -0, have no such force. They need not slip, and the
+/// force would stir liquid at rest.
 template<class Real, class Kernel, bool Viscous, bool Laplacian, bool Heat, bool Carried = false,
          bool Relief = false>
 struct Forces {

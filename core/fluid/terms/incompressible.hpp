@@ -112,10 +112,10 @@ template<class Real, class Kernel, bool Corrected> struct Impulse {
   }
 };
 
-/// Parts of the diagonal and of the gradient correction, all before the correction. They are the gradient of
-/// the relative density with respect to the particle's own position (1/m), the moment of the neighbourhood
-/// (1), and sum_j g_j g_j^T / m_j (1/(m^2 kg)). Here g_j are the gradients with respect to the neighbours'
-/// positions, and 1/m_j is pressurePhaseHeat.c.
+/// Parts of the diagonal and of the gradient correction, all before the correction. The first two are the
+/// gradient of the relative density with respect to the particle's own position (1/m), and the moment of the
+/// neighbourhood (1). The third is sum_j g_j g_j^T / m_j (1/(m^2 kg)). Here g_j are the gradients with
+/// respect to the neighbours' positions, and 1/m_j is pressurePhaseHeat.c.
 template<class Real, class Kernel> struct Response {
   using L = Lanes<Real>;
   const Record<Real>*positionVolume, *pressurePhaseHeat;

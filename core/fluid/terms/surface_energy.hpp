@@ -38,9 +38,9 @@ template<class Real> struct SurfaceColour {
   }
 };
 
-/// -V_i sum V_j (H (u_i - u_j) + (s_i + s_j) grad W), H the Hessian of W, u and s the derivatives of the
-/// energy by gradient and colour. For j, every factor is equal or of opposite sign, bit by bit. The sum is in
-/// double precision, so no momentum is lost to rounding.
+/// -V_i sum V_j (H (u_i - u_j) + (s_i + s_j) grad W). H is the Hessian of W. u and s are the derivatives of
+/// the energy by gradient and colour. For j, every factor is equal or of opposite sign, bit by bit. The sum
+/// is in double precision, so no momentum is lost to rounding.
 template<class Real> struct SurfaceForces {
   using L = Lanes<Real>;
   const Record<Real>*positionVolume, *surfaceEnergyDerivatives;

@@ -12,8 +12,8 @@ namespace {
 
 /// Forces for particles that are all liquid of one material (Modules::uniform). They equal Forces
 /// (forces.hpp) with pairwise viscosity bit by bit, and Artificial (artificial_viscosity.hpp) to rounding.
-/// velocityViscosity.d is the pressure term. With heat it is the temperature, which identifies the dummy row,
-/// and positionVolume.d is the pressure term, since all particles have the same volume.
+/// velocityViscosity.d is the pressure term. With heat it is the temperature, which identifies the dummy row.
+/// Then positionVolume.d is the pressure term, since all particles have the same volume.
 /// Carried: positionVolume.d, velocityViscosity.d and tensor hold the pressure tensor (forces.hpp);
 /// velocityViscosity.d identifies the dummy row.
 template<class Real, class Kernel, bool Heat, bool Shocks, bool Carried = false> struct UniformForces {

@@ -27,9 +27,9 @@ template<> struct Widened<double> {
 
 /// sum_j c_ij (u_ij . x_ij) x_ij: minus the pairwise viscous force of forces.hpp. The factor c_ij and the
 /// position difference have the precision of the scene and, up to sign, the same bits at both ends.
-/// Velocities and sums are always in double precision. The operator is thus symmetric, momentum is conserved
-/// to double rounding, and a tiny u_ij is resolved next to a large u. Start also sums the particle's own 3x3
-/// block; Force also sums the dissipation at `middle`.
+/// Velocities and sums are always in double precision. The operator is thus symmetric, and momentum is
+/// conserved to double rounding. A tiny u_ij is resolved next to a large u. Start also sums the particle's
+/// own 3x3 block; Force also sums the dissipation at `middle`.
 template<class Real, ViscousPass pass> struct ViscousOperator {
   using L = Lanes<Real>;
   static constexpr bool blocks = pass == ViscousPass::Start, lost = pass == ViscousPass::Force;

@@ -37,7 +37,7 @@ bool shareFace(std::size_t a, std::size_t b) {
 using Polygon = std::vector<std::size_t>;
 
 /// Returns the polygons between inside and outside. On each face, a side of a polygon separates a run of
-/// inside corners: it leads from the edge before the run to the edge after it.
+/// inside corners. It leads from the edge before the run to the edge after it.
 std::vector<Polygon> polygonsOf(std::uint8_t inside) {
   constexpr std::size_t none = edgeCount;
   std::array<std::size_t, edgeCount> next;

@@ -21,8 +21,8 @@ constexpr double farthest = 1.5;  // spacings, largest distance from the middle 
                                   // edge
 constexpr int projections = 4;    // several, because distances of combined shapes are only bounds
 
-/// Position (m) of a vertex, and outward normals of the faces on which it lies: one, two on an edge of the
-/// shape, or three at a corner.
+/// Position (m) of a vertex, and outward normals of the faces on which it lies. There is one normal, two on
+/// an edge of the shape, or three at a corner.
 struct SurfacePoint {
   Vec3d x{};
   std::array<Vec3d, 3> normals{};

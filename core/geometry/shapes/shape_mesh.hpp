@@ -7,8 +7,8 @@
 
 namespace thaw {
 
-/// Returns the surfaces of all simple parts of a shape, placed in the scene, outward from the body;
-/// subtracted parts face the other way. The result includes surface that the combined shape does not have:
+/// Returns the surfaces of all simple parts of a shape, placed in the scene, outward from the body.
+/// Subtracted parts face the other way. The result includes surface that the combined shape does not have:
 /// inside another part, or outside of a cut. Chords deviate from curved faces by at most `sag` (m). Vertices
 /// lie on the faces. Planes are squares larger than the body. Colours and normals of meshes are dropped.
 /// Throws ShapeError; std::invalid_argument for an infinite body.

@@ -13,8 +13,8 @@ struct LightReceived {
   std::vector<double> lamps, lasers;
 };
 
-/// Distributes the light of the step of length dt (s) that begins now, and records the emitted energy in
-/// the ledger. Collective.
+/// Distributes the light of the step of dt (s) that begins now. Records the emitted energy in the ledger.
+/// Collective.
 LightReceived receiveLight(const LightTarget& view, double dt, Reducer& all);
 
 }  // namespace thaw

@@ -76,9 +76,9 @@ bool missesFace(const LightView& v, const std::array<Vec3d, 8>& corners, double 
   return false;
 }
 
-/// Returns the cell width of a cube's faces (a tangent): half a spacing at a mean distance of the bodies, and
-/// at most one spacing at the largest. The number of cells across half a face takes only a few values, so
-/// cells seldom change as bodies move.
+/// Returns the cell width of a cube's faces (a tangent). It is half a spacing at a mean distance of the
+/// bodies, and at most one spacing at the largest. The number of cells across half a face takes only a few
+/// values, so cells seldom change as bodies move.
 double faceCell(const Vec3d& origin, const Bounds& bodies, double spacing) {
   Vec3d near{}, far{};
   for (int a = 0; a < 3; a++) {

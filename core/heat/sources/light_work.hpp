@@ -26,7 +26,7 @@ struct CellLights {
 /// both.
 struct LightMap {
   std::vector<double> values;         ///< by cell: first negated depths (m) of the nearest particle that each
-                                      ///< ray hits, then negated squares (m^2) of the smallest distance from
+                                      ///< ray hits. Then negated squares (m^2) of the smallest distance from
                                       ///< the ray to a particle
   std::vector<std::int64_t> weights;  ///< sum of the weights of a cell's particles, by cell
   std::vector<float> covered;         ///< fraction of the cell within the outline; negative: not found yet

@@ -66,8 +66,8 @@ bool isNeighbour(const Oriented& o, const PairPotential& p, std::size_t i, std::
 }
 
 /// Returns whether the candidate lies in a gap of width `far` between i and j, where the surface is stretched
-/// or torn. Surfaces that rest or vibrate have no gaps: the gap's sphere or column is occupied, the ring is
-/// full, or a birth costs more energy than a bond. Separating particles do not form a surface.
+/// or torn. Surfaces that rest or vibrate have no gaps. There, the gap's sphere or column is occupied, the
+/// ring is full, or a birth costs more energy than a bond. Separating particles do not form a surface.
 bool isGap(const Oriented& o, const OrientedLists& l, const PairPotential& p, std::size_t i, std::size_t j,
            const BirthCandidate& at, int leastBeside, bool planar) {
   const Vec3d r = o.position[j] - o.position[i], apart = o.velocity[j] - o.velocity[i];

@@ -8,7 +8,7 @@ namespace thaw {
 
 /// Projects the free rows of bodies with given points onto the interpolated surface. Stores the projections
 /// in Oriented::restPosition and restOrientation. A row without a projection within `lost` spacings is
-/// removed: its mass becomes 0, and the ledger records it as left. Returns the number of removed rows on this
+/// removed. Its mass becomes 0, and the ledger records it as left. Returns the number of removed rows on this
 /// rank.
 std::int64_t projectRowsOnInterpolant(const OrientedView& view);
 

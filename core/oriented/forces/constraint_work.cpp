@@ -18,8 +18,8 @@ StateBefore stateBefore(const Oriented& o, double dt) {
 void recordConstraintWork(const OrientedView& w, const StateBefore& b, double weight) {
   const Oriented& o = w.oriented.rows;
   const OrientedWork& t = w.work;
-  // a force acts over half of the displacement before it and half of the displacement after it (trapezoidal
-  // rule); implicit forces vary linearly over the step
+  // A force acts over half of the displacement before it and half of the displacement after it (trapezoidal
+  // rule). Implicit forces vary linearly over the step.
   const bool implicit = w.scene.oriented.front().integrator == OrientedIntegrator::SemiImplicit;
   const auto wayOf = [&](const Vec3d& now, const Vec3d& rateBefore) {
     return implicit ? now : 0.5 * (now + w.clock.stepDt * rateBefore);

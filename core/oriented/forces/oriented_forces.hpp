@@ -36,8 +36,8 @@ void refreshGhostPoses(Oriented& rows, Halos halos);
 void sumOrientedForces(const OrientedView& view);
 
 /// Records impulse, work and friction loss of obstacles in a step of dt (s), from forces at the current
-/// positions, and those of fields (fields.hpp). The symplectic and semi-implicit integrators record the
-/// work of fields, since they determine the velocity.
+/// positions. Records those of fields (fields.hpp) as well. The symplectic and semi-implicit integrators
+/// record the work of fields, since they determine the velocity.
 void recordObstacleWork(const OrientedView& view, double dt);
 
 }  // namespace thaw

@@ -162,8 +162,8 @@ void solveVelocities(const OrientedView& w, Halos halos, double dt) {
   }
 }
 
-/// Moves a row by the solved velocity, and records dissipation by damping and by the scheme, (dv M dv + dt^2
-/// v K v) / 2. Requires: OrientedWork::acting, and K v in image.
+/// Moves a row by the solved velocity. Records dissipation by damping and by the scheme, (dv M dv + dt^2 v K
+/// v) / 2. Requires: OrientedWork::acting, and K v in image.
 void translateRow(const OrientedView& w, std::size_t i, double dt) {
   Oriented& o = w.oriented.rows;
   const OrientedBody& body = bodyOfRow(w, i);

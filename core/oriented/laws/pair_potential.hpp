@@ -22,7 +22,7 @@ struct PairPotential {
   bool facing = true;     ///< see OrientedBody
 };
 
-/// Computes the constants. `well` makes the hexagonal lattice of this spacing free of tension; for the full
+/// Computes the constants. `well` makes the hexagonal lattice of this spacing free of tension. For the full
 /// 12-6 sum it is s / (1.11146 2^(-1/6)).
 PairPotential pairPotential(const OrientedBody& body, double spacing);
 

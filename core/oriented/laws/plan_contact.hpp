@@ -9,8 +9,8 @@
 
 namespace thaw {
 
-/// Contact of an oriented body with the continuum: a spring of OrientedBody::contact times its stiffness
-/// (N/m), and a barrier (TouchLaw) that stops particles from passing through.
+/// Contact of an oriented body with the continuum. It has a spring of OrientedBody::contact times its
+/// stiffness (N/m), and a barrier (TouchLaw) that stops particles from passing through.
 struct OrientedContact {
   double reach = 0;          ///< m, distance between centres at which contact begins: 0.55 of the sum of the
                              ///< spacings

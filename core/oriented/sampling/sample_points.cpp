@@ -72,10 +72,10 @@ bool inHull(const std::vector<double>& x, const std::vector<double>& y, double p
   return true;
 }
 
-/// Samples a thin plate over the hull of its points: the points, then positions in random order at least 0.75
-/// spacings apart, which then relax. A lattice lifted onto the plate would be stretched and tear where the
-/// plate is steep. Position and normal of particles near a control point are fixed. Otherwise, the potentials
-/// would flatten the plate.
+/// Samples a thin plate over the hull of its points. It takes the points, then positions in random order at
+/// least 0.75 spacings apart. These then relax. A lattice lifted onto the plate would be stretched and tear
+/// where the plate is steep. Position and normal of particles near a control point are fixed. Otherwise, the
+/// potentials would flatten the plate.
 SampledPoints plateThrough(const OrientedBody& b, double spacing, std::uint64_t seed) {
   const ThinPlate plate = thinPlate(b.points);
   SampledPoints m;

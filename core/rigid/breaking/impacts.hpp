@@ -21,8 +21,8 @@ inline constexpr std::uint64_t leastToBreak = 16;
 std::vector<double> contactSizes(const RigidView& view, std::span<const FoundContact> contacts, Reducer& all);
 
 /// Returns the rows, ascending, of pieces that an impact may break in the step of dt (s). The contact
-/// impulses of these pieces (sizes, N s) exceed twice the impulses of known loads and weight, and the stress
-/// may reach the strength. The result for a row is the same on all ranks that have the row.
+/// impulses of these pieces (sizes, N s) exceed twice the impulses of known loads and weight. The stress may
+/// reach the strength. The result for a row is the same on all ranks that have the row.
 std::vector<std::uint32_t> findHit(const RigidView& view, std::span<const double> sizes, double dt);
 
 /// Contact forces on particles of the hit pieces.

@@ -94,8 +94,8 @@ std::optional<ElementContact> edgeOnSphere(const PlacedElement& a, const PlacedE
   return ElementContact{point - 0.5 * gap * n, n, gap, std::abs(s)};
 }
 
-/// Returns the contact of an edge or corner with an element that is not a plane; none if they do not touch at
-/// the edge.
+/// Returns the contact of an edge or corner with an element that is not a plane. Returns none if they do not
+/// touch at the edge.
 std::optional<ElementContact> contactOfEdge(const PlacedElement& a, const PlacedElement& b, double spacing) {
   if (a.sharp() && b.sharp()) return crossingOf(a, b, spacing);
   if (a.sharp()) return edgeOnSphere(a, b, spacing);

@@ -48,8 +48,8 @@ bool isEdgeOutermost(const PlacedElement& e, const Vec3d& direction);
 /// point.
 bool onPart(const SharpEdge& edge, double s, double spacing);
 
-/// Returns the normals of both faces of a right-angled edge, if the particle has the same distance from both;
-/// else zeros.
+/// Returns the normals of both faces of a right-angled edge if the particle has the same distance from both.
+/// Returns zeros otherwise.
 std::array<Vec3d, 2> facesBeside(const PlacedElement& e);
 
 /// Returns the extent (m) of a round element from its particle in a direction (unit vector).

@@ -24,11 +24,11 @@ inline constexpr float planeRadius = std::numeric_limits<float>::infinity();
 inline constexpr double elementReach = 1.0;
 
 /// The same for spheres, as the distance of the point from the line through centre and particle. Elements
-/// then leave no holes: on spheres with a radius of two spacings, no surface point is farther than 1.16
+/// then leave no holes. On spheres with a radius of two spacings, no surface point is farther than 1.16
 /// spacings from its nearest particle, measured in this way.
 inline constexpr double sphereReach = 1.2;
 
-/// The same for a plane that a sphere, an edge or a corner touches. Particles at edges are round, so planes
+/// The same for a plane that a sphere, an edge or a corner touches. Particles at edges are round. Planes thus
 /// end up to 1.5 spacings before the edges of their body, and up to 2.2 spacings before its corners.
 inline constexpr double planeReach = 2.25;
 

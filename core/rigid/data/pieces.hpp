@@ -68,9 +68,9 @@ inline void activatePieces(Pieces& p) {
   for (AnyColumn* c : p.columns) p.activate(*c);
 }
 
-/// Returns the moment of inertia (kg m^2) of a particle of this mass (kg) about its own centre: that of a
-/// cube with an edge of the spacing (m). With it, a cube of particles has the inertia of a solid cube, and a
-/// single particle has a positive inertia.
+/// Returns the moment of inertia (kg m^2) of a particle of this mass (kg) about its own centre. It is that of
+/// a cube with an edge of the spacing (m). With it, a cube of particles has the inertia of a solid cube, and
+/// a single particle has a positive inertia.
 inline double ownInertia(double mass, double spacing) { return mass * spacing * spacing / 6; }
 
 /// Returns the angular velocity (rad/s) of a piece with this angular momentum (kg m^2/s).

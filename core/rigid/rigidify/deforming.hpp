@@ -22,8 +22,8 @@ void wakeSoftening(const RigidifyView& view);
 /// between elastic and rigid. Requires: positions and velocities of bond ends at the last evaluation.
 bool findDeforming(const RigidifyView& view, double dt);
 
-/// Returns true if no step limit of solids applies, because all solids of this rank are rigid, and no two
-/// pieces are in adjacent cells. Requires: Continuum::piece of ghosts.
+/// Returns true if all solids of this rank are rigid, and no two pieces are in adjacent cells. No step
+/// limit of solids then applies. Requires: Continuum::piece of ghosts.
 bool nothingDeforms(const RigidifyView& view);
 
 }  // namespace thaw

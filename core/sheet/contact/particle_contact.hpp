@@ -11,8 +11,7 @@ namespace thaw {
 /// Sets SheetPlan::particleRate. The contact spring suits a light vertex, but a heavier particle would pass
 /// through. At the scene's speeds, an additional barrier (TouchLaw) stops the particle within the contact
 /// distance. For a liquid, the barrier is at least as stiff as the liquid, so pressure does not push
-/// particles through:
-/// m (c/s)^2 for spacing s and sound speed c.
+/// particles through. This stiffness is m (c/s)^2 for spacing s and sound speed c.
 void planParticleContact(const Scene& scene, std::span<const LiquidMaterial> liquids,
                          std::vector<SheetPlan>& plans);
 

@@ -33,8 +33,8 @@ double ownOf(const SheetBodies& sheets, const Scene& scene, SheetFactor f, std::
          sheets.laws[s.law[i]].factor[placeOf(f)];
 }
 
-/// Mean stiffness (N/m) of both ends: the present value, and the maximum until the end of the next step, for
-/// the slope.
+/// Mean stiffness (N/m) of both ends. stiffness: present value; later: maximum until the end of the next
+/// step, for the slope.
 struct PairSpring {
   double own, stiffness, later;
 };

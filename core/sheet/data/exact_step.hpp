@@ -23,9 +23,10 @@ struct ExactStep {
   double vr = 0;  ///< m^3/(N s), derivative of qr = qv / m
 };
 
-/// Returns the map for a step of dt >= 0 (s). Each coefficient is accurate to 1e-13 of its scale, and also of
-/// its own value unless it crosses 0 in an oscillation. With long double, phases are exact up to about 1e5
-/// oscillations per step. Throws std::invalid_argument if a coefficient is negative or all are 0.
+/// Returns the map for a step of dt >= 0 (s). Each coefficient is accurate to 1e-13 of its scale. It is also
+/// accurate to 1e-13 of its own value unless it crosses 0 in an oscillation. With long double, phases are
+/// exact up to about 1e5 oscillations per step. Throws std::invalid_argument if a coefficient is negative or
+/// all are 0.
 ExactStep exactStep(const SpringLaw& law, double dt);
 
 /// Weights of a position-dependent force before and after the step. The velocity gets before * f(before) +

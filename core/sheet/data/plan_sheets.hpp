@@ -111,8 +111,8 @@ double edgeStiffness(const SheetBody& body, const Vec3d& edge, double area);
 /// Returns the interaction radius (m) of the scene's sheets.
 double sheetReach(const Scene& scene);
 
-/// Returns the largest speed (m/s) of sheets due to external forces or initial motion, as a scale of energy;
-/// 0 without sheets.
+/// Returns the largest speed (m/s) of sheets due to external forces or initial motion, as a scale of energy.
+/// Returns 0 without sheets.
 double expectedSheetSpeed(const Scene& scene);
 
 /// Returns the thickness (m) of a sheet: the scene's, or 0.8 of its spacing.

@@ -59,7 +59,7 @@ struct SheetEdges {
   Bonds bonds;
 };
 
-/// Time factors (1) of a sheet's coefficients, parallel to sheetCoefficients: the current values, and the
+/// Time factors (1) of a sheet's coefficients, parallel to sheetCoefficients. now: current values; most:
 /// maxima until the end of the next step, for the step limit.
 struct FactorsNow {
   std::array<double, sheetFactors> now, most;

@@ -106,9 +106,9 @@ double heatScaleOf(const Scene& scene, const Modules& modules, const LedgerRepor
 }
 
 /// Rounding limit (J) of mechanical energies, which are sums of cancelling terms. It is 1e-14 of three
-/// energies: a strain of 1 in all bodies, their fall through the domain, and motion through the domain in the
-/// scene's duration. It is at least 2^-24 of the heat that moves. Smaller energies are invisible in the
-/// temperatures of a frame, which are in single precision.
+/// energies. These belong to a strain of 1 in all bodies, their fall through the domain, and motion through
+/// the domain in the scene's duration. It is at least 2^-24 of the heat that moves. Smaller energies are
+/// invisible in the temperatures of a frame, which are in single precision.
 double roundingOf(const Scene& s, const Modules& modules, const SheetBodies& sheets,
                   const std::vector<LiquidMaterial>& liquids, const LedgerReport& r) {
   const Vec3d size = s.domain.max - s.domain.min;

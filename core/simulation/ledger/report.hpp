@@ -26,7 +26,7 @@ struct LedgerReport {
   bool hasVapour = false;     ///< the scene has liquids that evaporate
   double evaporated = 0;      ///< kg, also in left.mass
   double vapourHeat = 0;      ///< J, latent heat of the vapour; minus this is in heatIn
-  Vec3d impulseInFlight{};    ///< N s, impulse in flight: contacts have applied it to vertices and particles,
+  Vec3d impulseInFlight{};    ///< N s, impulse in flight. Contacts have applied it to vertices and particles,
                               ///< and apply it to oriented particles in the next step
   double massResidual = 0;    ///< kg
   Vec3d momentumResidual{};   ///< kg m/s

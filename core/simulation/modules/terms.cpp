@@ -49,8 +49,8 @@ void recordLoads(StepContext& c, HalfKick kick) {
 
 }  // namespace
 
-/// This module is always on, since a program may add loads during a run (Simulation::addForce), and a
-/// checkpoint may contain loads.
+/// This module is always on. A program may add loads during a run (Simulation::addForce), and a checkpoint
+/// may contain loads.
 StepModule outsideLoads() {
   return {"loads from outside",
           [](const World&, const TermWork&) { return true; },

@@ -7,8 +7,8 @@
 namespace thaw {
 
 /// Magnitudes of forces (N). pressure: pressure and surface tension of the surrounding liquid, which depend
-/// on positions alone; with the incompressible solver, the prepared impulse divided by the step. viscosity:
-/// all resistance in the liquid. contact: contact of solids. outside: forces added by the program.
+/// on positions alone. With the incompressible solver, it is the prepared impulse divided by the step.
+/// viscosity: all resistance in the liquid. contact: contact of solids. outside: forces added by the program.
 struct ForceTerms {
   double elastic = 0, pressure = 0, viscosity = 0, contact = 0, walls = 0, outside = 0, weight = 0;
   bool atWall = false;  ///< closer than one spacing

@@ -30,8 +30,8 @@ Failure failureOf(const World& world, const MonitorLimits& bounds, const StepLim
 /// - Energy: the unexplained gain since the last snapshot exceeds MonitorLimits::energy times a scale. The
 /// scale is the largest of: the ledger's terms at that snapshot, external work so far, kinetic energy of all
 /// mass at the expected speed.
-/// - Growth: the same since the run began. The scale is the largest ledger term so far, and at least the
-/// kinetic energy at a tenth of the expected speed.
+/// - Growth: the same since the run began. The scale is the largest ledger term so far. It is at least the
+///   kinetic energy at a tenth of the expected speed.
 /// - Inverted: the fraction of solid particles with det F <= 0 and without a restoring force. Green strain
 /// without volume force has none.
 /// Energy losses do not count. They do not make a run unstable, and appear in the ledger's residual.
@@ -42,8 +42,9 @@ Failure checkEnergyBudget(const World& world, const MonitorLimits& bounds, const
 /// Returns the factor of the next step, one step closer to 2^-backoff.
 double nextFactor(const MonitorState& monitor);
 
-/// Accepts the state as a snapshot. After MonitorState::requiredSnapshots snapshots since the latest failure,
-/// and past the time MonitorState::passed, the step doubles and the number of counted failures decreases.
+/// Accepts the state as a snapshot. The step doubles and the number of counted failures decreases after
+/// MonitorState::requiredSnapshots snapshots since the latest failure. The time must also be past
+/// MonitorState::passed.
 void acceptState(MonitorState& monitor, const Clock& clock, const LedgerReport& budget);
 
 /// Returns true if a failed run may retry with half the step. It may not after Numerics::retries retries, or

@@ -39,7 +39,7 @@ void kernelGradients(World& w, Halos& halos, StepTools& t) {
   sumUnitPressure(w, t.liquids, t.sums);
 }
 
-/// Returns, by body, 1 if it is relaxed and none of its particles is within range of a wall, which would
+/// Returns, by body, 1 if it is relaxed and none of its particles is within range of a wall. A wall would
 /// constrain the body.
 std::vector<std::uint8_t> freeBodies(const World& w, Halos& halos, const std::vector<std::uint8_t>& relaxed) {
   std::vector<double> atWall(w.scene.bodies.size(), 0.0);
@@ -120,7 +120,7 @@ int relaxPacking(World& w, Halos halos, StepTools& t,
     for (std::size_t i = 0; i < p.owned; i++) {
       const std::size_t body = p.body[i];
       if (!relaxed[body]) continue;
-      // force / V^2 = -2 sum grad W (1/m^4); times V dx it is the fraction of a spacing missing on one side.
+      // force / V^2 is -2 sum grad W (1/m^4). Times V dx it is the fraction of a spacing missing on one side.
       Vec3d move = p.force[i] * (0.25 * dx * dx / V);
       const double length2 = dot(move, move), most = 0.1 * dx;
       if (length2 > most * most) move = move * (most / std::sqrt(length2));

@@ -21,7 +21,7 @@ namespace thaw {
 namespace {
 
 /// Misplaced samples on this rank. The first sample of each type is stored as a number that can be reduced
-/// over ranks, by a maximum of negated numbers; -never: none.
+/// over ranks, by a maximum of negated numbers. -never: none.
 struct MisplacedSamples {
   explicit MisplacedSamples(std::size_t bodies) : outside(bodies) {}
   std::vector<Outside> outside;  // by body

@@ -16,8 +16,8 @@ bool kickAndDrift(World& world, double dt, std::span<const RowSpan> rows);
 
 /// Computes accelerations from forces and gravity and applies the second half kick. Clamped particles and
 /// rows outside the ranges do not change. Accumulates dissipation. Returns false if a position, velocity or
-/// force is not finite, or if a particle would move by more than its support radius in such a step. *bad is
-/// then the first such row. *largest receives the result of largestRates.
+/// force is not finite. Also returns false if a particle would move by more than its support radius in such a
+/// step. *bad is then the first such row. *largest receives the result of largestRates.
 bool finishKick(World& world, double dt, std::span<const RowSpan> rows, std::size_t* bad,
                 LargestRates* largest);
 

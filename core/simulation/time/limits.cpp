@@ -65,7 +65,7 @@ double viscousFactor(const Numerics& n, const Modules& modules) {
   return n.cflViscous * (modules.elastic && modules.melting ? besideElastic : 1);
 }
 
-/// Returns the viscosity (Pa s) that limits the step of particles of material k with viscosity mu; their
+/// Returns the viscosity (Pa s) that limits the step of particles of material k with viscosity mu. Their
 /// velocity change depends on their own mass alone (docs/validation/stability.md, row 12). Between liquids of
 /// the pairwise form it is mu. Next to a thicker, nearly static liquid or a solid, the viscosity of a pair is
 /// up to twice as large. However, the fastest wave among equal particles, with opposite motion of neighbours,
@@ -119,7 +119,7 @@ StepLimits materialLimits(const Scene& s, const Modules& modules,
     }
     if (modules.fluid && canBeLiquid(m)) {
       // The surface energy is stiff if few particles interact. An inviscid drop gains 26 % of its energy in 6
-      // s with a factor of 0.2, and 0.8 % in 3 s with 0.1.
+      // s with a factor of 0.2. With 0.1, it gains 0.8 % in 3 s.
       const double stiff = modules.surfaceEnergy ? 0.12 : 1;
       if (m.surfaceTension > 0) take(Limit::Tension, stiff * n.cflTension * capillaryTime(s, m));
     }

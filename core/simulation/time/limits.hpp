@@ -29,8 +29,9 @@ bool isDry(const Continuum& particles);
 
 LargestRates largestRates(const Continuum& particles);
 
-/// Returns the limits of this rank's particles: acceleration, speed, and viscosity of tables and flow laws,
-/// stable on the lattice up to dt nu / h^2 = stableViscousStep. The caller reduces the limits over ranks.
+/// Returns the limits of this rank's particles: acceleration, speed, and viscosity of tables and flow laws.
+/// Viscous steps are stable on the lattice up to dt nu / h^2 = stableViscousStep. The caller reduces the
+/// limits over ranks.
 StepLimits particleLimits(const World& world, const LargestRates& largest, double stableViscousStep);
 
 /// Returns the largest ratio of the sound speed to that at rest in this rank's compressed liquid, at least 1.

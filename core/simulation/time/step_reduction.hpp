@@ -23,7 +23,7 @@ struct StepReduction {
   double negatedFastLimit = 0;  ///< s, fastAccelerationLimit
   double relativeDensity = 0;   ///< 1, largestRelativeDensity
   double surfaceMove2 = 0;      ///< m^2, squared largest displacement of a particle since the last surface
-                                ///< update; sent only with a surface or a further body type
+                                ///< update. Sent only with a surface or a further body type
   std::array<double, bodyTypeLimits> negatedBodyTypeLimits{-never, -never};  ///< s; sent only with a further
                                                                              ///< body type
 

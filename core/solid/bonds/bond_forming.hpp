@@ -31,9 +31,9 @@ struct BondForming {
 
 /// Sets the particle fields that bonds need. These are fields of particles, since solids get renumbered.
 /// Continuum::frame is set if it is active, and Continuum::unwrappedPosition with periodic sides. The frame
-/// is F of the solid at the last phase 1, or the identity if the particle just froze or has no row in Solids
-/// yet. The order after freezing: set justFrozen and phase, prepareBondForming, rebuildBonds (makes the
-/// solids), refresh bondFormingColumns on ghosts, formBonds, rebuildBonds with the requests,
+/// is F of the solid at the last phase 1. It is the identity if the particle just froze or has no row in
+/// Solids yet. The order after freezing: set justFrozen and phase, prepareBondForming, rebuildBonds (makes
+/// the solids), refresh bondFormingColumns on ghosts, formBonds, rebuildBonds with the requests,
 /// refreshReference.
 void prepareBondForming(Continuum& particles, const Solids& solids);
 /// Returns the ghost columns that formBonds reads in addition to position.

@@ -80,8 +80,8 @@ class BondGraph {
   void reserve(Bonds& bonds, int capacity) const;
   /// Appends a bond to a solid. The other end is owned here, has a remote row, or gets one if owner is
   /// another rank (>= 0). Otherwise no bond is made. No bond is made to the solid itself, or for a departing
-  /// solid. If a new solid arrives with a bond to a vanished particle, it has lost that bond, and
-  /// Solids::exposed is set. known: owned solid at the other end, if the caller has it.
+  /// solid. A new solid that arrives with a bond to a vanished particle has lost that bond. Solids::exposed
+  /// is then set. known: owned solid at the other end, if the caller has it.
   void bond(const SolidTables& t, std::uint32_t solidIndex, const BondRecord& record, int owner,
             std::uint32_t known = noRow);
   /// Appends many bonds without vectors. ownerOf(pair) is called for ends without a row here and for

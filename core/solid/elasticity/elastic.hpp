@@ -10,7 +10,7 @@
 //   sum_j w_ij [ flux_i X_ij - flux_j X_ji + k_i (x_ij - X_ij) + k_j (x_ij + X_ji) ].
 // The gradient alone is too soft for short waves, by a fraction (k dx)^2/6 with bonds of up to 2 spacings. It
 // is also too soft for bending, since neighbourhoods at a surface are one-sided. The hourglass term is of the
-// same order in dx. With alpha = 1.5, S waves along an axis have no second-order error; with bonds of 1.7
+// same order in dx. With alpha = 1.5, S waves along an axis have no second-order error. With bonds of 1.7
 // spacings and alpha = 1.25, bending has almost none (benchmarks/accuracy: p_wave, cantilever). Bonds of 1.5
 // spacings need alpha = 1, but halve the step of unevenly frozen solids.
 #pragma once
@@ -127,9 +127,11 @@ void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, Ela
 /// and are unused before bonds exist.
 std::vector<AnyColumn*> columnsOfSteps(Solids& solids, const ElasticWork& work);
 
-/// Columns that remote rows need at three times: after rebuildBonds and before refreshReference (data that is
-/// constant as long as bonds are), before phase 1 (computeDeformationAndStress), and before phase 2
-/// (computeElasticForces). A step is:
+/// Columns that remote rows need at three times:
+/// - after rebuildBonds and before refreshReference (data that is constant as long as bonds are),
+/// - before phase 1 (computeDeformationAndStress),
+/// - before phase 2 (computeElasticForces).
+/// A step is:
 ///   copyToSolids; begin(BeforeDeformation); phase 1 Inner; finish; phase 1 Boundary;
 ///   breakBonds (fracture.hpp); rereference (rereference.hpp); begin(BeforeForces); phase 2 Inner; finish;
 ///   phase 2 Boundary; addSolidForces.
@@ -143,7 +145,7 @@ void takeReferences(const Continuum& particles, Solids& solids);
 /// Copies positions (and velocities and liquid fractions, if active) from the particles to their owned
 /// solids.
 void copyToSolids(const Continuum& particles, Solids& solids);
-/// Sets the rest volume (m^3, mass over the material's density) of owned solids that have none, which are
+/// Sets the rest volume (m^3, mass over the material's density) of owned solids that have none. These are
 /// newly solid particles.
 void fillNewSolids(const Continuum& particles, Solids& solids, const ElasticWork& work, bool atStart);
 /// Adds the elastic force, and the dissipation of the step divided by dt, to the particles of owned solids.
@@ -152,9 +154,9 @@ void addSolidForces(const ElasticWork& work, const Solids& solids, Continuum& pa
 
 /// Updates A^-1 and the other bond data in `work` for solids with `changed` set. all: updates all solids, for
 /// bonds made without bond updates. Call it after every bond update and the exchange of
-/// remoteColumnsAfterRebuild. A bond update also sets `changed` for renumbered solids, and for solids with a
-/// bond whose other end became remote or owned. The bits do not depend on which solids are recomputed. Clears
-/// `changed`. Returns the number of owned solids with rank < 3.
+/// remoteColumnsAfterRebuild. A bond update also sets `changed` for renumbered solids. It sets it as well for
+/// solids with a bond whose other end became remote or owned. The bits do not depend on which solids are
+/// recomputed. Clears `changed`. Returns the number of owned solids with rank < 3.
 std::int64_t refreshReference(ElasticWork& work, Solids& solids, Bonds& bonds, bool all);
 
 /// Phase 1: F, plastic flow, stress and flux of the groups of this part. Requires: Solids::position of owned

@@ -104,8 +104,8 @@ struct ElasticKernels {
   void (*deformation)(ElasticArrays&);
   void (*forces)(const ElasticArrays&);
 };
-/// Returns the set of that name, or the best one for this processor if the name is empty; nullptr for unknown
-/// or unsupported names.
+/// Returns the set of that name, or the best one for this processor if the name is empty. Returns nullptr for
+/// unknown or unsupported names.
 const ElasticKernels* elasticKernels(const char* name = "");
 
 }  // namespace thaw

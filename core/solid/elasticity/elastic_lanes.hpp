@@ -137,8 +137,8 @@ template<class Real, bool periodic, bool vectors> struct BondLoader {
   Places<Real, periodic> difference;
   T unit, perSupport2;
   EightEnds<Real> own;
-  std::size_t ahead;  ///< prefetch distance, which leads to the same bond index in the next group, since
-                      ///< entries past a group's longest row are never read
+  std::size_t ahead;  ///< prefetch distance, which leads to the same bond index in the next group. Entries
+                      ///< past a group's longest row are never read
   explicit BondLoader(const ElasticArrays& a)
       : a(a),
         records(static_cast<const Record<Real>*>(a.end)),

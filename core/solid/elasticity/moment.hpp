@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The moment matrix A = sum w X X^T of a particle's bonds, and its treatment if it is singular, as in sheets,
-// rows and single particles.
+// The moment matrix A = sum w X X^T of a particle's bonds, and its treatment if it is singular. It is
+// singular in sheets, rows and single particles.
 #pragma once
 #include "core/math/mat3.hpp"
 

@@ -34,8 +34,8 @@ struct ReferenceKernels {
   /// Requires: `moments` of the same group was called before.
   void (*levers)(const ReferenceArrays&, std::size_t group, GroupMoments&);
 };
-/// Returns the set of that name, or the best one for this processor if the name is empty; nullptr for unknown
-/// or unsupported names.
+/// Returns the set of that name, or the best one for this processor if the name is empty. Returns nullptr for
+/// unknown or unsupported names.
 const ReferenceKernels* referenceKernels(const char* name = "");
 
 }  // namespace thaw

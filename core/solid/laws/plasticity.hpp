@@ -49,15 +49,16 @@ PlasticFlow plasticFlow(const ElasticConstants& c, const Mat3d& gradU, const Pla
 struct PlasticDeformation {
   Mat3d gradU, plasticInverse;  ///< 1, F - 1 and Fp^-1 - 1
 };
-/// Returns the work (Pa) lost in a step from one deformation to another. It is the mean of both stresses
-/// times the change of F, like the work of the step's forces, minus the change of the stored energy.
-/// If plastic strain is at its limit, the stress changes by a multiple of the yield stress in a step, and
-/// PlasticFlow::loss is not accurate.
+/// Returns the work (Pa) lost in a step from one deformation to another. The work is the mean of both
+/// stresses times the change of F, like that of the step's forces. The change of the stored energy is
+/// subtracted.
+/// If plastic strain is at its limit, the stress changes by a multiple of the yield stress in a step.
+/// PlasticFlow::loss is then not accurate.
 double workOfFlow(const ElasticConstants& c, const PlasticDeformation& before,
                   const PlasticDeformation& after);
 
-/// Returns ln Up of the total plastic deformation Fp F_ref = R Up, F_ref = 1 + referenceGradient: the
-/// logarithmic plastic strain along the axes of the first reference configuration.
+/// Returns ln Up of the total plastic deformation Fp F_ref = R Up, with F_ref = 1 + referenceGradient. It is
+/// the logarithmic plastic strain along the axes of the first reference configuration.
 Sym3d plasticStrain(const Mat3d& plasticInverse, const Mat3d& referenceGradient);
 
 /// (Fp^-1 Fp^-T - 1)/2. For small strains it is minus the plastic strain since the last reference.

@@ -76,9 +76,9 @@ Carry carryOf(const double* sums, std::size_t lane, const Vec3d& fromOrigin) {
   return c;
 }
 
-/// Gradient of the interpolated displacement sum w (u + G (x - x_j)) / sum w: the mean of G plus the term
-/// from the gradient of the weights. With K05's mean of G only, discs stand on edge in folds that bend and
-/// open. Liquid surfels omit the term, because the iterations determine their normals.
+/// Gradient of the interpolated displacement sum w (u + G (x - x_j)) / sum w. It is the mean of G plus the
+/// term from the gradient of the weights. With K05's mean of G only, discs stand on edge in folds that bend
+/// and open. Liquid surfels omit the term, because the iterations determine their normals.
 struct Bend {
   CarrySums* in;
   const SurfaceKernels* kernels;

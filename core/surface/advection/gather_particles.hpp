@@ -11,7 +11,7 @@ namespace thaw {
 /// collective.
 void gatherParticles(const SurfaceView& view, int rank);
 
-/// Fades the effect of particles' initial surroundings as liquid deforms: the deviation of `fill` from 1 in
+/// Fades the effect of particles' initial surroundings as liquid deforms. The deviation of `fill` from 1 in
 /// the copies decreases by a factor e per strain of 0.3. Without this, `fill` would roughen the surface of a
 /// splash. Requires: displacement gradients.
 void fadeFill(SurfaceParticles& particles);

@@ -8,8 +8,8 @@ namespace thaw {
 namespace {
 
 constexpr float flowingFraction = 0.02f;
-/// If reference positions lie this close to a plane, relative to the square of their distances, displacement
-/// normal to the plane follows from the plane's rotation.
+/// Distance from a plane, relative to the square of the reference positions' distances. If all positions lie
+/// this close, the displacement along the normal follows from the plane's rotation.
 constexpr double flat = 0.03;
 
 /// Particle relative to the surfel: reference and current position (m).

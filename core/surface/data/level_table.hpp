@@ -7,13 +7,13 @@
 
 namespace thaw {
 
-/// Level of the iso-surface for a colour field smoothed twice: a = sum V c_j W with the particles' colour c_j
-/// = sum V W and W = (1 - (r/h_ps)^2)^3. At h_ps = 2 h, the normals of a ball are accurate to 2 degrees,
-/// compared to 4 degrees with c (benchmarks/surface). The iso-surface of a fixed level would lie inside
-/// curved surfaces, by 0.1 h^2/R on a ball. On drops smaller than the kernel, it would not exist
+/// Level of the iso-surface for a colour field smoothed twice: a = sum V c_j W with the particles' colour
+/// c_j = sum V W. The kernel is W = (1 - (r/h_ps)^2)^3. At h_ps = 2 h, the normals of a ball are accurate to
+/// 2 degrees, compared to 4 degrees with c (benchmarks/surface). The iso-surface of a fixed level would lie
+/// inside curved surfaces, by 0.1 h^2/R on a ball. On drops smaller than the kernel, it would not exist
 /// (docs/theory/surfaces.md). The level therefore depends on the fullness b / a with b = sum V a_j W. It is
-/// tabulated for continuous balls and cavities of all sizes, and is exact to first order in the mean
-/// curvature for other bodies. It depends on position only, without feedback from the surfels' curvature.
+/// tabulated for continuous balls and cavities of all sizes. For other bodies, it is exact to first order in
+/// the mean curvature. It depends on position only, without feedback from the surfels' curvature.
 class LevelTable {
  public:
   void fill();
@@ -36,13 +36,13 @@ class LevelTable {
 };
 
 /// Raises the level where few particles are near. Fullness does not distinguish a thin body from a sparse
-/// one, such as a fluid that stretches without cohesive pressure below a spout or in a splash. The surface of
-/// such a fluid would enclose up to twice the particles' volume. The density measure is the sum of (1 -
-/// (r/nearSupport)^2)^3 over particles, with lengths in spacings. It is 2.6 at half a spacing above a lattice
-/// plane, 1.4 for a row of particles one spacing apart, and 0.7 for a single particle. Levels in these cases
-/// are unchanged. The strength depends on the component (levelRiseOf). Volume enforcement draws in a sparse
-/// liquid, as in a splash without surface tension, and least where the liquid is dense. A uniform offset
-/// would move the sides of thin rims through each other.
+/// one. A fluid is sparse, for example, if it stretches without cohesive pressure below a spout or in a
+/// splash. The surface of such a fluid would enclose up to twice the particles' volume. The density measure
+/// is the sum of (1 - (r/nearSupport)^2)^3 over particles, with lengths in spacings. It is 2.6 at half a
+/// spacing above a lattice plane, and 0.7 for a single particle. For a row of particles one spacing apart, it
+/// is 1.4. Levels in these cases are unchanged. The strength depends on the component (levelRiseOf). Volume
+/// enforcement draws in a sparse liquid, as in a splash without surface tension, and least where the liquid
+/// is dense. A uniform offset would move the sides of thin rims through each other.
 inline constexpr double nearSupport = 2;
 struct LevelRise {
   /// densityMeasure: sum below which the level rises; largestRise: relative rise without particles nearby

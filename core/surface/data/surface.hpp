@@ -26,7 +26,7 @@ struct SurfaceComponent {
   /// m, offset of the liquid surface from the colour's level by volume enforcement; part of the state
   double isoOffset = 0;
   /// m^3, target of volume enforcement: volume of its particles times the initial ratio of mesh to particle
-  /// volume; valid in an update
+  /// volume. Valid in an update
   double targetVolume = 0;
   /// m^2, sum of areas times liquid fractions, which can move as liquid; valid in an update
   double liquidArea = 0;
@@ -40,7 +40,7 @@ struct SurfaceComponent {
 
 /// Changes of components. Split: `other` separated from `label`. Merge: two components became `label`, the
 /// smaller label. Renamed: the particle with the smallest id of `other` left the domain, or left with a
-/// separated part, and the component is now `label`.
+/// separated part. The component is now `label`.
 enum class SurfaceEventKind : std::uint8_t { Split, Merge, Renamed };
 inline const char* eventName(SurfaceEventKind kind) {
   return kind == SurfaceEventKind::Split ? "split" : kind == SurfaceEventKind::Merge ? "merge" : "renamed";

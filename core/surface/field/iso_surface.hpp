@@ -10,8 +10,9 @@
 
 namespace thaw {
 
-/// Newton's step onto the iso-surface, or onto an offset of `isoOffset` (m) from it: outward unit direction,
-/// and distance along it (m, clamped to `longest`). isoStep returns nothing if the gradient is too small.
+/// Newton's step onto the iso-surface, or onto an offset of `isoOffset` (m) from it. It has the outward unit
+/// direction, and the distance along it (m, clamped to `longest`). isoStep returns nothing if the gradient is
+/// too small.
 struct IsoStep {
   Vec3d outward{};
   double out = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernels for the surface between the surfels of a patch, for several positions at once: coverage of points
-// on a circle, and sums for the projection. These kernels take most of the time of resampling.
+// Kernels for the surface between the surfels of a patch, for several positions at once. They compute the
+// coverage of points on a circle, and sums for the projection. These kernels take most of the time of
+// resampling.
 #include "core/simd/lanes.hpp"
 #include "core/surface/kernels/surface_kernels.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernels for eight surfels at a time, one set for each instruction set: sums over particles and surfels
-// (forces_isa.cpp), displacement (carry_isa.cpp), areas (areas_isa.cpp), positions near a box
+// Kernels for eight surfels at a time, one set for each instruction set. They are for sums over particles and
+// surfels (forces_isa.cpp), displacement (carry_isa.cpp), areas (areas_isa.cpp), positions near a box
 // (near_box_isa.cpp), and patches (patch_isa.cpp). Every set gives the same bits. The interface uses plain
 // pointers, because code for one instruction set must not give copies of library functions to the linker.
 #pragma once
@@ -64,8 +64,8 @@ struct ForceSums {
   /// flags of groups with a finite gap cutoff; null: no such groups
   const std::uint8_t* groupHasGapCutoff = nullptr;
   float perSide = 0;  ///< 1 / increase of the cosine over sameSide at which weights become 1
-  /// cosine of the angle between normals below which surfels are across a gap or a sheet, and do not repel
-  /// (stability rows 20 and 22)
+  /// cosine of the angle between normals below which surfels are across a gap or a sheet. Such surfels do not
+  /// repel (stability rows 20 and 22)
   float apart = 0;
   bool plane = false;  ///< SmoothingForm::Plane
   // results: channel c of lane l of group g at (g * channels + c) * 8 + l
@@ -104,15 +104,15 @@ struct AreaCells {
   const double* place = nullptr;        ///< m, all rows: x, y, z, radius
   const double* normal = nullptr;       ///< all rows: normal, one unused
   const std::uint32_t* self = nullptr;  ///< 8 rows
-  /// 8 rows for each of `count` neighbours, in an order that is the same on every rank; lanes with fewer
+  /// 8 rows for each of `count` neighbours, in an order that is the same on every rank. Lanes with fewer
   /// neighbours repeat their own surfel
   const std::uint32_t* near = nullptr;
   std::size_t count = 0;
   /// Cosines of angles between normals: below cosFlat a neighbour is across an edge, below cosBack on another
   /// sheet.
   double cosFlat = 0, cosBack = 0;
-  /// Result, 8 per neighbour: increases from 0 to 4 with the direction around the normal; -1: not adjacent to
-  /// the cell.
+  /// Result, 8 per neighbour. It increases from 0 to 4 with the direction around the normal. -1: not adjacent
+  /// to the cell.
   double* turn = nullptr;
 };
 /// Largest number of neighbours of AreaCells.

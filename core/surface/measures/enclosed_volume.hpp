@@ -18,13 +18,13 @@ struct FacetSums {
   Sym3d rimSquare{};  ///< m^3, sum of r d d^T
 };
 
-/// Returns the enclosed volume (m^3). By the divergence theorem each axis gives the volume sum d_a f_a, and
-/// so does W : sum d f^T for any symmetric W of trace 1. Without holes W is a third of the identity. A hole
-/// with area vector h at position p causes the error p . h, so d is relative to the centroid of the rims.
-/// With rims, W is proportional to (s^2 + covariance of the rims)^-1, with s of half a spacing. For a film
-/// with distributed holes, the height above its middle plane then determines the volume. An axis along which
-/// the component spans the periodic domain is ignored, unless this is true for all axes. Without rims,
-/// `middle` replaces their centroid.
+/// Returns the enclosed volume (m^3). By the divergence theorem each axis gives the volume sum d_a f_a. So
+/// does W : sum d f^T for any symmetric W of trace 1. Without holes W is a third of the identity. A hole with
+/// area vector h at position p causes the error p . h, so d is relative to the centroid of the rims. With
+/// rims, W is proportional to (s^2 + covariance of the rims)^-1, with s of half a spacing. For a film with
+/// distributed holes, the height above its middle plane then determines the volume. An axis along which the
+/// component spans the periodic domain is ignored, unless this is true for all axes. Without rims, `middle`
+/// replaces their centroid.
 double enclosedVolume(const FacetSums& sums, const Vec3d& middle, const std::array<bool, 3>& round,
                       double spacing);
 

@@ -14,8 +14,8 @@ namespace thaw {
 /// rows. Sectors of parts are combined by |.
 using Sectors = std::array<std::uint64_t, 3>;
 
-/// Returns the number of sectors of an axis: at most 64, each at least `least` (m) wide, so an empty sector
-/// is wider than the distance of neighbours.
+/// Returns the number of sectors of an axis, at most 64. Each is at least `least` (m) wide, so an empty
+/// sector is wider than the distance of neighbours.
 inline int sectorCount(const CellGrid& g, int axis, double least) {
   return static_cast<int>(std::clamp(g.period[axis] / least, 1.0, 64.0));
 }

@@ -20,9 +20,9 @@ struct RelaxationStep {
 
 /// Returns the motion of surfel i. Its height over the smooth surface is its detail height plus a height
 /// added by motion. The detail fades to the factor 1 - b, for the largest liquid fraction b since it was
-/// solid, and with strain by exp(-strainFading b strain). The added height fades by b in each update, as in
-/// the paper, permanently. At small b, added height becomes detail, because nearly solid surfels are carried,
-/// not relaxed.
+/// solid. It also fades with strain, by exp(-strainFading b strain). The added height fades by b in each
+/// update, as in the paper, permanently. At small b, added height becomes detail, because nearly solid
+/// surfels are carried, not relaxed.
 RelaxationStep relaxationStepOf(Surfels& s, std::size_t i, double b, double height) {
   const bool recorded = s.maxLiquidFraction.active;
   const double before = recorded ? static_cast<double>(s.maxLiquidFraction[i]) : 0,

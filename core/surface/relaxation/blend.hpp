@@ -6,7 +6,7 @@
 namespace thaw {
 
 /// Blends carried and relaxed positions and normals after the iterations of an update. K05 uses x = (1 - b)
-/// x_carried + b x_relaxed with the liquid fraction b, which removes the fraction b of every detail in every
+/// x_carried + b x_relaxed with the liquid fraction b. This removes the fraction b of every detail in every
 /// update. Here, the remaining detail is 1 - b for the largest b since the surfel was solid, and less under
 /// strain. It does not depend on the number of updates. Only height added by motion relaxes by the fraction b
 /// in each update. The first update in which a surfel is molten uses the paper's formula. `detail` is the

@@ -39,7 +39,7 @@ bool volumesDeviate(const Surface& surface, bool start);
 void listIsoOffsets(const Scene& scene, const Surface& surface, std::vector<ComponentIsoOffset>& isoOffset);
 
 /// Records Continuum::surfaceVolumeRatio at the start, also in the copies. For sampled bodies, it is the
-/// volume of the surfaces over the volume of the particles; for other bodies, it is 1. Requires: measured
+/// volume of the surfaces over the volume of the particles. For other bodies, it is 1. Requires: measured
 /// Surface::components; particle copies. Collective.
 void recordStartVolumes(const Scene& scene, Continuum& particles, Surface& surface, SurfaceHalos halos);
 

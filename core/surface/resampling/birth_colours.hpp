@@ -18,7 +18,7 @@ struct SurfaceTools;
 bool coloursMayDiffer(const Scene& scene);
 
 /// Colours new surfels around particles (SurfelRow::particle). A new surfel gets the mean colour of the
-/// component's surfels within two spacings, which avoids single surfels of another colour where liquids mix.
+/// component's surfels within two spacings. This avoids single surfels of another colour where liquids mix.
 /// Without surfels there, bodies without a mesh keep their material's colour. Bodies with a mesh get the
 /// colour of the nearest surfel of the component within a cell's edge of the particle. Of equally near
 /// surfels, the one with the smaller id counts. If the component has no surfel there, as for a drop that has

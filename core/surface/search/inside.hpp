@@ -57,8 +57,8 @@ struct SideQuery {
 /// disc of half its radius, so neighbours touch but do not extend beyond edges. Up to 12 discs at most one
 /// radius farther than the nearest disc count. The sign is that of the sum of (x - c) . n / |x - c|^2, with
 /// the closest point c of each disc. It is correct at edges and on both sides of a thin sheet
-/// (Inside.IsExactForACubeAndAThinSheet). Inside, x must also see the back of a disc at more than 30 degrees,
-/// which excludes the open end of a parted neck.
+/// (Inside.IsExactForACubeAndAThinSheet). Inside, x must also see the back of a disc at more than 30 degrees.
+/// This excludes the open end of a parted neck.
 void findSides(const Surfels& surfels, const Bins& bins, const SideQuery& query, InsideTools& tools,
                std::vector<SurfaceSide>& sides);
 

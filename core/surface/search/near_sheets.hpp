@@ -17,9 +17,9 @@ enum class Facing : unsigned char {
 inline constexpr double twoSheets = -0.5;
 
 /// Returns the relation of two surfels by their normals, without particles. Normals more than 120 degrees
-/// apart (n.n' < -1/2) belong to two sheets. They enclose a gap if each surfel lies in front of the other,
-/// and a sheet if each lies behind the other. Otherwise, as at folds and rims, they count as the same sheet.
-/// d: m, from this surfel to the other.
+/// apart (n.n' < -1/2) belong to two sheets. They enclose a gap if each surfel lies in front of the other.
+/// They enclose a sheet if each lies behind the other. Otherwise, as at folds and rims, they count as the
+/// same sheet. d: m, from this surfel to the other.
 inline Facing facing(const Vec3d& d, const Vec3d& normal, const Vec3d& otherNormal) {
   if (dot(normal, otherNormal) >= twoSheets) return Facing::Same;
   // heights of each surfel above the other's plane

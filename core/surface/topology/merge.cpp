@@ -75,10 +75,9 @@ std::uint64_t before(const ComponentTools& c, std::uint64_t label) {
   return from;
 }
 
-/// Returns whether two liquids touch at particle i. This is the case if a particle of the other component is
-/// within the distance of neighbours in a liquid, and the midpoint lies in or near both surfaces. At this
-/// distance, drops already exert pressure on each other and flatten, before a particle is inside the other
-/// drop.
+/// Returns whether two liquids touch at particle i. A particle of the other component must be within the
+/// distance of neighbours in a liquid. The midpoint must lie in or near both surfaces. At this distance,
+/// drops already exert pressure on each other and flatten, before a particle is inside the other drop.
 bool touches(const SurfaceView& w, const ComponentTools& c, std::uint32_t i, std::uint64_t other,
              MergeTools& t) {
   const Surface& s = w.surface;

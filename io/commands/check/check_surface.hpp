@@ -49,8 +49,8 @@ class SurfaceTrial {
   double timeOfUpdate();
 };
 
-/// Returns the expected number of surface updates of a run: one at each frame, and others by the settings of
-/// the scene. Particles move at half the largest expected speed.
+/// Returns the expected number of surface updates of a run. There is one at each frame, and others by the
+/// settings of the scene. Particles move at half the largest expected speed.
 double expectedUpdates(const Scene& scene, const CellGrid& grid, double steps);
 
 }  // namespace thaw

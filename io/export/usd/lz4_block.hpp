@@ -14,8 +14,8 @@ void addLz4Block(std::span<const char> data, std::vector<char>& out);
 /// after its length.
 std::vector<char> crateCompressed(std::span<const char> data);
 
-/// Returns integers as crate files compress them, by differences of neighbours. Each has a code of two bits,
-/// and one, two or four bytes if it differs from the most common one.
+/// Returns integers as crate files compress them, by differences of neighbours. Each has a code of two bits.
+/// It also has one, two or four bytes if it differs from the most common one.
 std::vector<char> crateIntegers(std::span<const std::int32_t> values);
 
 }  // namespace thaw

@@ -17,7 +17,7 @@ struct DepthMap {
   std::vector<float> nearest;  ///< m along toLight, of the particle nearest to the light; lowest float if
                                ///< none
 
-  /// Returns the unshadowed fraction, 0 to 1, from (2 taps + 1)^2 bilinear samples around a point; occluders
+  /// Returns the unshadowed fraction, 0 to 1, from (2 taps + 1)^2 bilinear samples around a point. Occluders
   /// need more than `bias` (m) of distance.
   float visible(const Vec3f& point, float bias, int taps) const;
 };

@@ -44,8 +44,8 @@ Particles finiteParticles(const RenderInput& in, const ColourScale& scale) {
   return p;
 }
 
-/// Shading data of visible particles: surface normal, sky light, and the light that passes glass, from the
-/// sun and from each further light (empty without glass).
+/// Shading data of visible particles: surface normal, sky light, and the light that passes glass. The latter
+/// is from the sun and from each further light, and is empty without glass.
 struct Visible {
   std::vector<std::uint32_t> place;  ///< index of a particle in the lists below
   std::vector<SurfaceNormal> normals;

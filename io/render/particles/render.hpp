@@ -10,7 +10,7 @@
 
 namespace thaw {
 
-/// Particles to draw. Spans have one element per particle; radii may have one for all, and values may be
+/// Particles to draw. Spans have one element per particle. radii may have one for all, and values may be
 /// empty (then all are grey).
 struct RenderInput {
   std::span<const Vec3f> positions;  ///< m

@@ -21,7 +21,7 @@ constexpr float uneven = 0.12f;     // fraction of the squared change of normals
 constexpr std::size_t fewest = 4;
 // Cosines: of one flat face, and of another one beyond a sharp edge.
 constexpr float flatFace = 0.995f, sharp = 0.5f;
-/// Spacing of the hexagonal lattice on which 1 + 3 k (k + 1) discs cover a disc of radius 1; a part's radius
+/// Spacing of the hexagonal lattice on which 1 + 3 k (k + 1) discs cover a disc of radius 1. A part's radius
 /// is `partOf` times the spacing.
 constexpr float ringSpacing[4] = {0, 0.81f, 0.476f, 0.34f};
 constexpr float partOf = 0.62f;

@@ -25,8 +25,8 @@ struct DiscPart {
   std::array<Share, 4> mix{};  ///< shares sum to 1
 };
 
-/// Curvature along a disc's tangents u and v = n x u: the shape operator, a least-squares fit of the turn of
-/// neighbours' normals (same component, within two radii).
+/// Curvature along a disc's tangents u and v = n x u. The shape operator is a least-squares fit of the
+/// turn of neighbours' normals (same component, within two radii).
 struct DiscCurvature {
   Vec3f u;
   float uu = 0, uv = 0, vv = 0;  ///< 1/m, > 0 where the surface bends away from the normal

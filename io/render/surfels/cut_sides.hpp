@@ -19,9 +19,9 @@ struct CutSides {
   std::vector<std::array<std::uint32_t, 3>> faces;  ///< caps: their rows are not drawn as discs
 };
 
-/// Adds rows to a frame: images of surfels that continue the surface up to the sides, and corners of caps,
-/// where the surface encloses a part of a side. Added rows have the fields of the nearest surfel. Corners of
-/// caps have the component `capComponent`.
+/// Adds rows to a frame: images of surfels that continue the surface up to the sides, and corners of caps.
+/// Caps lie where the surface encloses a part of a side. Added rows have the fields of the nearest surfel.
+/// Corners of caps have the component `capComponent`.
 CutSides closeCutSides(SurfaceFrame& frame, const CutComponents& cuts, const PeriodicSides& sides);
 inline constexpr std::uint64_t capComponent = 0xfffffff2u;
 

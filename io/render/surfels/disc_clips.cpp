@@ -14,7 +14,7 @@ namespace {
 constexpr float alike = 0.96f;  // cosine: normals within 16 degrees belong to one smooth face
 
 /// Returns the extent of a clip around the neighbour, in its radii. On a curved surface it ends with the
-/// neighbour, or a gap would open to the next disc; along a straight edge it extends farther.
+/// neighbour, or a gap would open to the next disc. Along a straight edge it extends farther.
 float reachOf(float cosine) { return 2.2f - 1.4f * ramp(0.3f, 0.75f, cosine); }
 /// Returns the allowed protrusion beyond the neighbour's plane, in radii, so that faces meet without a gap.
 float slackOf(float cosine) { return 0.015f + 0.12f * ramp(0.2f, 0.6f, cosine); }

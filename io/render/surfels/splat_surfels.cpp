@@ -73,7 +73,7 @@ bool isClipped(const DiscClip& c, const Vec3f& q) {
   return dot(d, d) < c.radius2;
 }
 
-/// Calls hit(sample, depth, kept) for each sample of a tile that a disc covers; kept is false where it is
+/// Calls hit(sample, depth, kept) for each sample of a tile that a disc covers. kept is false where it is
 /// clipped.
 template<class Hit>
 void forSamples(const CameraDisc& d, std::span<const DiscClip> clips, const View& view, const Box& box,

@@ -36,8 +36,8 @@ std::vector<SprayDrop> findSpray(const SurfaceFrame& frame, double spacing);
 /// that a wall flattens has surfels closer to its centre.
 double radiusOf(const SprayDrop& drop);
 
-/// Returns the ratio of an ellipsoid's long half axis to the radius of the ball of its volume: from 1 at rest
-/// to 2 for fast drops. It is 1.5 where a drop moves by its diameter in the exposure.
+/// Returns the ratio of an ellipsoid's long half axis to the radius of the ball of its volume. It ranges from
+/// 1 at rest to 2 for fast drops. It is 1.5 where a drop moves by its diameter in the exposure.
 double stretchOf(const SprayDrop& drop, double exposure);
 
 /// Replaces the surfels of drops by new ones. They have the colours, fields and ids of the drop's first one.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Logs of a surface: OUT/surface.csv with a line for each component at each frame; OUT/events.csv with a line
+// Logs of a surface. OUT/surface.csv has a line for each component at each frame. OUT/events.csv has a line
 // for each split, merge and change of a label. One process only. Throws IoError if the disk fails.
 #pragma once
 #include <string>

@@ -14,7 +14,7 @@ namespace thaw {
 /// Collective.
 std::int64_t clockOffset(const Communicator& comm);
 
-/// Writes the trace. Each rank is a process; steps, phases and waiting times are nested slices of its thread,
+/// Writes the trace. Each rank is a process. Steps, phases and waiting times are nested slices of its thread,
 /// and exchanges are asynchronous slices beside it. Rank 0 receives the events of one rank at a time, so that
 /// it never holds all of them. Throws the same IoError on all ranks. Collective.
 void writeTrace(const std::string& path, const Communicator& comm, const StepTrace& trace);

@@ -17,7 +17,7 @@ inline constexpr std::int64_t leastComponentParticles = 30, leastSmallParticles 
                               leastControlledSurfels = 12;
 
 /// Largest fraction of missing area of a surface with a reliable volume. Where a mesh has spurs along
-/// cracks of a body, 3 % is missing, and the volume is 3 to 5 % too large.
+/// cracks of a body, 3 % is missing. The volume is then 3 to 5 % too large.
 inline constexpr double closedTolerance = 0.01;
 
 /// A component at a frame. The volume of its surface is (1 + off) times the reference volume.

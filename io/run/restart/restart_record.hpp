@@ -23,8 +23,8 @@ std::vector<std::string> restartConflicts(const CheckpointValues& stored, const 
 /// oriented bodies, obstacles and walls, and choices of numerics.
 std::vector<std::string> coefficientChanges(const CheckpointValues& stored, const Scene& scene);
 
-/// Returns a line for each change that does not affect present forces and energies: settings of the surface,
-/// growth of oriented bodies, future events, steps and solvers.
+/// Returns a line for each change that does not affect present forces and energies. Such changes are
+/// settings of the surface, growth of oriented bodies, future events, steps and solvers.
 std::vector<std::string> settingChanges(const CheckpointValues& stored, const Scene& scene, double time);
 
 /// Returns a line for each change of an event that was before `time` (s) in both scenes. Such changes have no

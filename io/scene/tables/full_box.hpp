@@ -22,7 +22,7 @@ struct OpenChoices {
 /// Sets the defaults of liquid that fills the box (liquidFillsTheBox) with the equation of state. It cannot
 /// tear and has no free surface, so negative pressure is kept, the density is carried and particles are
 /// shifted. Particles start without a lattice. A lattice that the flow stretches by e^0.3 has 1.5 times too
-/// much resistance until shifting has dissolved it; only then is the viscosity right within 2 %. A lattice
+/// much resistance until shifting has dissolved it. Only then is the viscosity right within 2 %. A lattice
 /// remains if the temperature varies at the start, since it has the most accurate heat conduction.
 /// Taylor-Green vortices need all of these choices (docs/validation/accuracy.md). Particles of the
 /// incompressible solver start without a lattice, too. Liquid whose weight is left out (Buoyancy::Boussinesq)

@@ -4,7 +4,7 @@
 
 namespace thaw {
 
-/// Reads the one shape key of a table (mesh, box, sphere, ..., union) and its `place`; a missing one is an
+/// Reads the one shape key of a table (mesh, box, sphere, ..., union) and its `place`. A missing one is an
 /// error. Describes it by a single line that points to describeShape. Does not resolve paths of meshes.
 void readShape(TableReader& reader, Shape& shape);
 /// Returns whether a table has a key of a shape.

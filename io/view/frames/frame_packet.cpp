@@ -28,7 +28,8 @@ bool isNeeded(PointType type, const std::string& name) {
   return false;
 }
 
-/// Adds the colours of a frame, sRGB, with a fourth byte for the alignment; none if it has no such field.
+/// Adds the colours of a frame, sRGB, with a fourth byte for the alignment. Adds none if it has no such
+/// field.
 void addColours(Packet& packet, const FrameData& frame) {
   const FrameColumn* column = frame.find("color");
   if (!column || column->components != 3) return;

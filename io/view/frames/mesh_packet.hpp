@@ -18,12 +18,13 @@ struct SurfaceToMesh {
 /// Reads a surface. request: the field is ignored. Throws IoError.
 SurfaceToMesh readSurfaceToMesh(const FrameRequest& request);
 
-/// Returns the detail of meshes for the page. Cubes are at least as wide as the radius of a surfel, and wide
-/// enough that the mesh has about `most` vertices, at most 50,000. Meshing then takes well under a second.
+/// Returns the detail of meshes for the page. Cubes are at least as wide as the radius of a surfel. They are
+/// wide enough that the mesh has about `most` vertices, at most 50,000. Meshing then takes well under a
+/// second.
 MeshDetail detailForPage(std::size_t surfels, std::uint64_t most);
 
-/// Returns closed meshes of all components: `position`, `normal`, `triangles`, and for each vertex `surfel`:
-/// the nearest point of framePacket, whose fields it shows. Reads no file.
+/// Returns closed meshes of all components: `position`, `normal`, `triangles`, and `surfel`. For each vertex,
+/// `surfel` is the nearest point of framePacket, whose fields it shows. Reads no file.
 Packet meshPacket(const SurfaceToMesh& surface, const PeriodicSides& sides);
 
 }  // namespace thaw

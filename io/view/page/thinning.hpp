@@ -27,10 +27,10 @@ inline bool isKept(std::size_t frame, const PageSizes& sizes, const Thinning& t)
   return frame % t.every == 0 || frame + 1 == sizes.frames;
 }
 
-/// Increases the thinning: no tensors, frames down to 60, no particles beside a surface, frames down to 8,
-/// points down to 1500, then frames and points in turn, and no meshes. A step leaves three quarters of the
-/// points or, above four frames, at least half of the frames. Returns false if no further thinning is
-/// possible.
+/// Increases the thinning. The order is: no tensors, frames down to 60, no particles beside a surface, frames
+/// down to 8, points down to 1500. Then follow frames and points in turn, and no meshes. A step leaves three
+/// quarters of the points or, above four frames, at least half of the frames. Returns false if no further
+/// thinning is possible.
 bool thinFurther(const PageSizes& sizes, Thinning& t);
 
 }  // namespace thaw

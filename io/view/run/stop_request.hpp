@@ -8,8 +8,8 @@ namespace thaw {
 
 inline constexpr const char* stopName = "stop";
 
-/// Returns whether a run may be live in this folder: its lock names a process of this host that is there, or
-/// one of another host.
+/// Returns whether a run may be live in this folder. Its lock then names an existing process of this host, or
+/// a process of another host.
 bool mayBeLive(const std::filesystem::path& run);
 
 /// Creates the stop file, which ends the run (io/run/signals.hpp). Returns why this is not possible, or "".

@@ -143,7 +143,7 @@ TEST(Oriented, BirthsUnderGravityKeepTheMomentumLedgerClosed) {
   EXPECT_LT(length(r.momentumResidual), 1e-12 * length(r.gravityImpulse));
 }
 
-/// Particles born on a sheet are pressed into it at once, which adds potential energy without a loss of
+/// Particles born on a sheet are pressed into it at once. This adds potential energy without a loss of
 /// kinetic energy.
 TEST(Oriented, BirthsOnASheetKeepTheLedgerClosed) {
   Scene s = test::emptyScene(0.05, {-1, -1, -1}, {1, 1, 1});

@@ -148,7 +148,7 @@ TEST(Oriented, CutRemovesForcesAndWeldAddsThem) {
   EXPECT_EQ(sideOfCut(stroke, nullptr, 0.15, {0, 0.2, 0}), 0);
 }
 
-/// Welded rims that overlap by half a spacing: particles that are too close are removed, and the surface is
+/// Welded rims that overlap by half a spacing. Particles that are too close are removed, and the surface is
 /// connected and at rest.
 TEST(Oriented, WeldOfOverlappingRimsHolds) {
   Scene s = patchScene(0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rigid pieces weld where both surfaces are hot (core/rigid/welding/): momentum and energy against exact
-// values, cold and other surfaces, time of touch, clamped, sleeping and loaded pieces, and fractures.
+// Rigid pieces weld where both surfaces are hot (core/rigid/welding/). The tests compare momentum and energy
+// with exact values. They cover cold and other surfaces, time of touch, clamped, sleeping and loaded pieces,
+// and fractures.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>

@@ -174,9 +174,9 @@ TEST(Sheets, FrictionWithTrianglesKeepsAngularMomentum) {
   EXPECT_GT(way[2].x, way[0].x + 0.02);  // the larger friction counts
 }
 
-/// A hot block touches the middle of a coarse cloth. Vertices at the rim of contact stay cold, and nothing
-/// gets hotter than the block or cools it below the cloth. Heat must not be distributed by the weights of the
-/// nearest point: that would heat vertices to 455 K next to a block of 400 K.
+/// A hot block touches the middle of a coarse cloth. Vertices at the rim of contact stay cold. Nothing gets
+/// hotter than the block or cools it below the cloth. Heat must not be distributed by the weights of the
+/// nearest point. This would heat vertices to 455 K next to a block of 400 K.
 TEST(Sheets, NothingGetsHotterThanItsHeatSource) {
   for (const double spacing : {0.015, 0.03, 0.01}) {  // the last one by points
     Scene s = test::emptyScene(0.02, {-0.5, -0.5, -0.1}, {0.5, 0.5, 0.6});

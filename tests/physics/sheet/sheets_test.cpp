@@ -182,8 +182,8 @@ TEST(Sheets, PlasticityKeepsItsShareOfTheExcess) {
       // The load stretches the spring to 5 cm, whatever its rest position: limit + (1 - p) excess. With p = 1
       // it never reaches that: the spring gives 2 N/m^2 at its limit. The rest of the load flows against the
       // damping as long as it acts, and that stretch stays. The spring resists within a step, so less flows
-      // in long steps. The exact step gives a flow of 3 Pa beyond the limit from 1 s to 7 s, plus the parts
-      // of both ramps beyond it.
+      // in long steps. The exact step gives a flow of 3 Pa beyond the limit from 1 s to 7 s. The parts of
+      // both ramps beyond it are added.
       const double flowing = (3 * 6 + 0.5 * 3 * (3.0 / 5) * (1 + 0.1)) / b.damping;
       const double swing = b.stiffness * dt / b.damping, inSteps = -std::expm1(-swing) / swing;
       const double left = plasticity == 1 ? flowing * inSteps : plasticity * (0.05 - 0.02) / (1 - plasticity);

@@ -33,7 +33,7 @@ double lostByBreaking(double dt) {
 }
 
 // Forces change at the end of a step. A break recorded as the bond energy alone would leave out the energy of
-// the kick, which is of first order.
+// the kick. That energy is of first order.
 TEST(BreakingEnergy, IsRecordedToSecondOrder) {
   const double whole = std::abs(lostByBreaking(1e-4)), half = std::abs(lostByBreaking(5e-5));
   EXPECT_LT(whole, 1e-3);

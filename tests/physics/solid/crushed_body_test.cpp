@@ -12,7 +12,7 @@ namespace {
 using test::Simulation;
 
 // The impact presses with rho v^2 = 4.5 kPa on a body of 0.6 kPa. Particles that are moved out of the floor
-// lose energy of their contact, and the forces on them do work over the distance.
+// lose energy of their contact. The forces on them do work over the distance.
 TEST(CrushedBody, EnergyOfParticlesPushedOutIsRecorded) {
   Scene s = test::emptyScene(0.005, {-0.2, -0.2, -0.05}, {0.2, 0.2, 0.3});
   s.domain.gravity = {0, 0, -9.81};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fragments on a puddle: one or a few particles that fall on hot liquid of their own material sink in and
+// Fragments on a puddle. One or a few particles that fall on hot liquid of their own material sink in. They
 // take its temperature by conduction.
 #include <gtest/gtest.h>
 
@@ -80,12 +80,12 @@ double diffusionTime() {
 
 }  // namespace
 
-// A cube of edge a warms through its lower face. Its own resistance and that of the half-space below a
-// spot of its area give a time of about 1.9 a^2/alpha for 0.9 of the temperature difference. The cube alone
-// takes 0.85 a^2/alpha, like a slab. The half-space adds 2.3 times 0.44 a^2/alpha, for a capacity a^3 over 4
-// k r with r = a / sqrt(pi). Measured times are 2.7 a^2/alpha for a single particle, which has four contacts,
-// and 1.3 to 1.6 for eight particles, which sink in against the viscosity of the wax. The limits are slightly
-// larger.
+// A cube of edge a warms through its lower face. The resistances are its own and that of the half-space below
+// a spot of its area. They give a time of about 1.9 a^2/alpha for 0.9 of the temperature difference. The cube
+// alone takes 0.85 a^2/alpha, like a slab. The half-space adds 2.3 times 0.44 a^2/alpha, for a capacity a^3
+// over 4 k r with r = a / sqrt(pi). Measured times are 2.7 a^2/alpha for a single particle, which has four
+// contacts. They are 1.3 to 1.6 for eight particles, which sink in against the viscosity of the wax. The
+// limits are slightly larger.
 TEST(Fragments, WarmByConduction) {
   for (const double temperature : {300.0, 340.0})  // solid; just molten
     for (const int size : {1, 2}) {

@@ -37,8 +37,8 @@ Obstacle& addObstacle(Scene& s, const Vec3d& low, const Vec3d& high) {
   return s.obstacles.back();
 }
 
-/// A hot post with water on the floor around it, and a moving post with a block of rubber on it that has its
-/// own velocity.
+/// A hot post with water on the floor around it, and a moving post with a block of rubber on it. The block
+/// has its own velocity.
 Scene postsIn(const Vec3d& shift) {
   Scene s = basin();
   addObstacle(s, Vec3d{8 * dx, 8 * dx, 0} + shift, Vec3d{12 * dx, 12 * dx, 20 * dx} + shift).temperature =

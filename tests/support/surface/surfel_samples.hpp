@@ -56,9 +56,9 @@ inline std::vector<Vec3d> vertexNormals(const TriangleMesh& mesh) {
   return normals;
 }
 
-/// Adds surfels on a mesh by dart throwing: no two of a face closer than 0.75 spacings, and no point farther
-/// than about the spacing from one. smooth: normals are interpolated between vertices, else those of the
-/// triangles.
+/// Adds surfels on a mesh by dart throwing. No two of a face are closer than 0.75 spacings, and no point is
+/// farther than about the spacing from one. smooth: normals are interpolated between vertices, else those of
+/// the triangles.
 inline void sampleMesh(SurfelSamples& out, const TriangleMesh& mesh, double spacing, bool smooth,
                        std::uint64_t component, std::uint64_t seed = 1) {
   const std::vector<Vec3d> corners = vertexNormals(mesh);

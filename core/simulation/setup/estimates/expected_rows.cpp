@@ -14,8 +14,8 @@ namespace {
 
 constexpr double hexagon = 0.86602540378443865;  // area of a particle over the square of the spacing
 using std::numbers::pi;
-// Lower bounds of bytes: per row (columns and lists), per point of a body during set-up, and per surface
-// sample, of which a particle has about 21.
+// Lower bounds of bytes per row (columns and lists), per point of a body during set-up, and per surface
+// sample. A particle has about 21 surface samples.
 constexpr double orientedRow = 500, pointBytes = 49, sampleBytes = 21 * 56, vertexRow = 500, vertexPlan = 300;
 
 double areaOf(const Shape& shape, const MeshLoader& load) {

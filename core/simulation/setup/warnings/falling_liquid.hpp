@@ -12,12 +12,12 @@
 
 namespace thaw {
 
-/// Returns a warning for each body of liquid and each emitter whose particles all fall freely through an open
-/// side of the domain before the end. The warning contains the time of the fall. A fall is free if no
-/// obstacle or solid body comes within a spacing of the path. It follows about 200 particles per source,
-/// chosen by id. Scenes with sheets, oriented bodies or extensions give no warnings, since these may stop or
-/// carry liquid. `shapes`: of Scene::bodies. particles: by body. Requires: sampled particles. The same on any
-/// number of ranks. Collective.
+/// Returns a warning for each body of liquid and each emitter whose particles all fall freely out of the
+/// domain before the end. They leave through an open side. The warning contains the time of the fall. A fall
+/// is free if no obstacle or solid body comes within a spacing of the path. It follows about 200 particles
+/// per source, chosen by id. Scenes with sheets, oriented bodies or extensions give no warnings, since these
+/// may stop or carry liquid. `shapes`: of Scene::bodies. particles: by body. Requires: sampled particles. The
+/// same on any number of ranks. Collective.
 std::vector<SceneWarning> fallingLiquids(const World& world,
                                          const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
                                          const std::vector<EmitterPlan>& emitters,

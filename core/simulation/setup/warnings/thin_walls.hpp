@@ -12,7 +12,7 @@
 namespace thaw {
 
 /// Minimum thickness, in spacings, of a wall that retains liquid. A solid responds with the liquid's own
-/// pressure, and a single layer of particles does not raise this pressure, so liquid passes through.
+/// pressure. A single layer of particles does not raise this pressure, so liquid passes through.
 constexpr double leastWall = 2;
 
 /// Returns a warning for each initially solid body with walls thinner than `leastWall`, if something else is

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An error has one message. Each value of a scene with many keys is replaced by an invalid one; only that
+// An error has one message. Each value of a scene with many keys is replaced by an invalid one. Only that
 // value is reported, not its consequences.
 #include <gtest/gtest.h>
 

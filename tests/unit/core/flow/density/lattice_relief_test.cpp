@@ -97,8 +97,8 @@ TEST(LatticeRelief, VanishesOnALattice) {
   for (std::size_t i = 0; i < p.owned; i++) EXPECT_LT(length(wide(p.relief[i])), 1e-4 * largest);
 }
 
-/// Force (N) along x on the liquid beside the middle of the face towards +y of the cube, which is displaced
-/// by `way` (m) along x. The pressure is uniform.
+/// Force (N) along x on the liquid beside the middle of the cube's face towards +y. The cube is displaced by
+/// `way` (m) along x. The pressure is uniform.
 double forceAlongFace(double way, bool relieved, bool fixed = false) {
   Scene s = cubeInLiquid();
   if (fixed) s.bodies[0].clamp = {s.bodies[0].shape};

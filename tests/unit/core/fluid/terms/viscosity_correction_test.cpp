@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The correction of the pairwise viscosity: exact in any linear flow of any lattice, none at a free surface,
-// the same bits with every instruction set.
+// The correction of the pairwise viscosity is exact in any linear flow of any lattice. There is none at a
+// free surface. It has the same bits with every instruction set.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The contact of an oriented surface stores more energy than the kinetic energy of a particle before the
-// particle is through, for any masses and spacings.
+// particle is through. This holds for any masses and spacings.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -64,7 +64,7 @@ TEST(OrientedContactPlan, IncludesApproachingContact) {
 }
 
 // Toward obstacles: force and stiffness are the derivatives of one energy. At full depth the force exceeds
-// the strength of bonds, and the stored energy exceeds the kinetic energy of a particle.
+// the strength of bonds. The stored energy exceeds the kinetic energy of a particle.
 TEST(OrientedContactPlan, KeepsASurfaceOffObstacles) {
   for (const double density : {0.1, 100.0}) {
     Scene s = sceneOf(0.01, 1e5, 10);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Solids inside rigid pieces are left out of the elastic sums (active_solids.hpp): forces of other solids,
-// and force, torque and energy of pieces, are those of all sums.
+// Solids inside rigid pieces are left out of the elastic sums (active_solids.hpp). Forces of other solids,
+// and force, torque and energy of pieces, are still those of all sums.
 #include "core/solid/elasticity/active_solids.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Data that the elastic step caches for bonds, computed for eight solids at once: the same bits as one at a
-// time, with every instruction set.
+// Data that the elastic step caches for bonds, computed for eight solids at once. The bits are those of one
+// solid at a time, with every instruction set.
 #include <gtest/gtest.h>
 
 #include <cstring>

@@ -205,7 +205,7 @@ TEST(ResurfaceExposed, CompressedBodyGrowsNoSecondSkin) {
   }
 }
 
-/// A bar that swings through strains of a fifth in ten updates per cycle: its surfels return to their initial
+/// A bar that swings through strains of a fifth in ten updates per cycle. Its surfels return to their initial
 /// places, and no error accumulates.
 TEST(ReferenceMotion, OscillatingBodyKeepsItsDetail) {
   TornBar bar(true);
