@@ -30,8 +30,8 @@ void wakePieces(Pieces& pieces);
 void wakeLoaded(const RigidView& view, double dt);
 
 /// Wakes pieces near particles that join or leave pieces, because the pieces may have lost their support.
-/// Requires: Continuum::setLabel of the new pieces, and rows of the former pieces of owned particles and
-/// ghosts. Collective.
+/// Requires: Continuum::setLabel is set for the new pieces, and rows of the former pieces of owned particles
+/// and ghosts exist. Collective.
 void wakeNearChanges(const RigidView& view, Reducer& all);
 
 /// Wakes sleeping pieces that a moving piece or obstacle touches. Returns true if any piece woke on any rank.

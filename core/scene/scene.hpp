@@ -238,8 +238,8 @@ struct Numerics {
   double maxStep = never;  // s
   double cflSound = 0.4, cflViscous = 0.8, cflHeat = 0.8, cflElastic = 0.4, cflTension = 0.25,
          cflAcceleration = 0.25;
-  int elasticSubsteps = 0;  // maximum number of substeps of solids in a step. 0: 4 with liquid (2 if
-                            // incompressible) and solids that cannot touch, else 1
+  int elasticSubsteps = 0;  // maximum number of substeps of solids in a step. 0: automatic: 4
+                            // (incompressible: 2) if there is liquid and solids cannot touch, else 1
   // Sleep (core/sleep/).
   double sleepSpeed = 0;       // m/s, speed below which a solid is at rest; 0: nothing sleeps
   double sleepAfter = 0.05;    // s, rest time before a solid sleeps

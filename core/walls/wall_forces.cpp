@@ -141,7 +141,8 @@ class FrictionSpring {
   /// The spring for the next contact, or null.
   Vec3d* forContact() { return kept_ && !used_ ? &shear_ : nullptr; }
   void note(bool pressed) { used_ = used_ || pressed; }
-  /// Stores the displacement, 0 without contact. An evaluation without a step keeps the state.
+  /// Stores the displacement, 0 without contact. Does not change it in an evaluation
+  /// outside of a step.
   void store() {
     if (kept_ && stepped_) p_.wallShear[row_] = used_ ? single(shear_) : Vec3f{};
   }

@@ -156,7 +156,7 @@ void writeHeader(H5File& file, const CheckpointHeader& h) {
 /// all ranks.
 void writeState(const std::string& path, std::int64_t sequence, MPI_Comm comm, const World& w,
                 const PackedTable* packed, const RunStamp& stamp, const CheckpointValues& values) {
-  if (!w.solids.energyKnown || !w.compressionKnown)
+  if (!w.solids.energyKnown || !w.interactionHasCompression)
     throw std::logic_error("stored energies must be computed before a checkpoint is written");
   const Communicator ours(comm);
   MpiReducer all(ours);

@@ -156,7 +156,7 @@ int finishRun(Run& r, int code, std::string why) {
     writeLastSnapshot(r);
     writeCheckpointOf(r);
     warnOfThinLiquid(r);
-    for (const std::string& line : unusedSourceLines(r.world.ledger, r.world.scene, r.all)) r.warn(line);
+    for (const std::string& line : unusedSourceWarnings(r.world.ledger, r.world.scene, r.all)) r.warn(line);
   }
   summarise(r, code == exitDone ? "done" : code == exitStopped ? "stopped" : "failed", why);
   // The caller prints the message of a failure.

@@ -185,7 +185,7 @@ void resetDryGroups(const CarryContext& x) {
 void finishCarry(const CarryContext& x) {
   if (x.modules.solid) resetDryGroups(x);
   if (!storesSums(x)) return;
-  if (x.dt == 0) x.startDensity = x.carry.summed;
+  if (x.dt == 0) x.initialSummedDensity = x.carry.summed;
   const std::array<std::int64_t, 2> sums = connectedSums(x.particles, x.neighbours, x.carry.summed);
   x.counters.connected = sums[0];
   x.counters.connectedDensity = sums[1];

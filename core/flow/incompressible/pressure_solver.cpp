@@ -210,7 +210,7 @@ void solveDivergence(const PressureSystem& x, double dt, double next, double sha
   Continuum& p = x.particles;
   std::copy_n(p.velocity.data(), p.owned, x.pressure.start.begin());
   setTrial(p, x.pressure, p.divergencePressure, dt);
-  x.lastIterations.divergence = solve(x, {next, share * x.scene.numerics.divergenceTolerance, 0});
+  x.pressureIterations.divergence = solve(x, {next, share * x.scene.numerics.divergenceTolerance, 0});
   keepTrial(p, p.divergencePressure, dt);
   recordReactions(x, [&](const Vec3d& impulse) {
     for (int a = 0; a < 3; a++) x.ledger.wallImpulse[a].add(impulse[a]);
@@ -227,7 +227,7 @@ void solveDensity(const PressureSystem& x, double next, double share) {
   const double half = 0.5 * next;
   for (std::size_t i = 0; i < p.owned; i++) work.start[i] = p.velocity[i] + p.acceleration[i] * half;
   setTrial(p, work, p.densityPressure, next);
-  x.lastIterations.density = solve(
+  x.pressureIterations.density = solve(
       x, {next, share * x.scene.numerics.densityTolerance, share, meanCompression(x)});
   keepTrial(p, p.densityPressure, next);
   const auto record = [&](const Vec3d& impulse) {  // applied in the next half kick
@@ -258,8 +258,8 @@ void findPressure(const PressureSystem& x, double dt) {
   solveDensity(x, next, share);
   recordResistance(p, before, dt, next);
   if (x.halos.all.rank() == 0) {
-    x.counters.densityIterations += x.lastIterations.density;
-    x.counters.divergenceIterations += x.lastIterations.divergence;
+    x.counters.densityIterations += x.pressureIterations.density;
+    x.counters.divergenceIterations += x.pressureIterations.divergence;
   }
   x.times.lap(StepPhase::Pressure);
 }

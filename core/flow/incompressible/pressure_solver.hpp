@@ -11,15 +11,15 @@
 //
 // The target is not 1 but the largest relative density of sliding lattice layers (slidingLatticeSum; 1.003 at
 // h = 2 dx). A liquid that fills its vessel cannot expand. With a target of 1 it would jam like sand.
-// Poiseuille flow (benchmark poiseuille with H/dx = 20) would have 0.79 of its rate, and 0.2 with a
-// quarter of the step.
+// Poiseuille flow (benchmark poiseuille with H/dx = 20) would have 0.79 of the exact flow rate, and 0.2 with
+// a quarter of the step.
 //
-// Both solves have the same form. They find pressures k >= 0 (Pa s) with the impulses -sum_i V_i k_i D_i. D_i
-// is the gradient of delta_i, corrected inside the liquid (gradient_correction.hpp).
-// The predicted compression e is then at most 0, and k = 0 where e < 0. The problem is convex; its matrix V D
-// M^-1 D^T V is symmetric and never formed. It is solved by Jacobi steps, clamped at 0, with Nesterov's
-// momentum (N83), restarted where it points uphill (OC15). All decisions rest on integer sums over all ranks,
-// so the number of iterations does not depend on the number of ranks.
+// Both solves have the same form. They find pressure impulses k >= 0 (Pa s) with the impulses -sum_i V_i k_i
+// D_i. D_i is the gradient of delta_i, corrected inside the liquid (gradient_correction.hpp). The predicted
+// compression e is then at most 0, and k = 0 where e < 0. The problem is convex; its matrix V D M^-1 D^T V is
+// symmetric and never formed. It is solved by Jacobi steps, clamped at 0, with Nesterov's momentum (N83),
+// restarted where it points uphill (OC15). All decisions rest on integer sums over all ranks, so the number
+// of iterations does not depend on the number of ranks.
 #pragma once
 #include "core/flow/incompressible/pressure_system.hpp"
 

@@ -36,7 +36,7 @@ struct PressureSystem {
   const Clock& clock;
   Ledger& ledger;
   Counters& counters;
-  PressureIterations& lastIterations;
+  PressureIterations& pressureIterations;
   Halos halos;
   PairSums sums;  ///< input and output of the sums of this step
   const PairKernels& kernels;

@@ -76,9 +76,9 @@ OverlapCounts OverlapTest::noCounts() const {
   return counts;
 }
 
-/// Returns true if is(position, moved) is true for an image of x in the bounds of body b. moved: true if the
+/// Returns true if test(position, moved) holds for an image of x in the bounds of body b. moved: true if the
 /// image is moved by at least one period.
-template<class Is> bool OverlapTest::anyImage(std::size_t b, const Vec3d& x, Is&& is) const {
+template<class Test> bool OverlapTest::anyImage(std::size_t b, const Vec3d& x, Test&& test) const {
   const Bounds& in = bounds_[b];
   Shifts s[3];
   for (int a = 0; a < 3; a++) s[a] = shiftsOf(x[a], x[a], in.min[a], in.max[a], period_[a]);
@@ -87,7 +87,7 @@ template<class Is> bool OverlapTest::anyImage(std::size_t b, const Vec3d& x, Is&
       for (std::int64_t k = s[2].first; k <= s[2].last; k++) {
         const Vec3d at{x.x + static_cast<double>(i) * period_.x, x.y + static_cast<double>(j) * period_.y,
                        x.z + static_cast<double>(k) * period_.z};
-        if (is(at, i != 0 || j != 0 || k != 0)) return true;
+        if (test(at, i != 0 || j != 0 || k != 0)) return true;
       }
   return false;
 }

@@ -37,7 +37,7 @@ class OverlapTest {
   bool meetsItself(std::size_t a, const Vec3d& x) const;
 
  private:
-  template<class Is> bool anyImage(std::size_t b, const Vec3d& x, Is&& is) const;
+  template<class Test> bool anyImage(std::size_t b, const Vec3d& x, Test&& test) const;
   std::vector<std::shared_ptr<const SignedDistance>> bodies_;
   std::vector<Bounds> bounds_;
   Vec3d period_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rigid pieces: connected particles of materials with law "rigid" that move as one body. A rank has the
+// Rigid pieces: connected particles of materials with law "rigid", or rigid parts of elastic solids
+// (numerics.rigidify), that move as one body. A rank has the
 // rows of the pieces of its owned particles and ghosts. A row has the same bits on all ranks that have it.
 #pragma once
 #include <algorithm>

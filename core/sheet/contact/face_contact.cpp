@@ -208,7 +208,8 @@ struct FaceContact {
     TouchLaw law = lawOf(j, here.massPerArea);
     const Touch t = touchOf(law, all.depth() * plan.faceReach, {1, 0, 0}, {here.approach, 0, 0});
     const double perPush = all.perPush(), steep = all.sumDepth7 * perPush, push = t.force.x,
-                 dash = t.dissipativeForce.x, slope = t.slope * steep + all.bend() * push / plan.faceReach;
+                 dash = t.dissipativeForce.x,
+                 slope = t.slope * steep + all.secondDerivative() * push / plan.faceReach;
     law.friction = (1 - liquidOf(j)) * std::max(body.friction, w.scene.materials[p.material[j]].friction);
     const std::array<Vec3d, 4> friction = faceFriction(j, *nearest, law, push);
     const double conductance = conduct(j, here.temperature);

@@ -37,9 +37,9 @@ struct FaceDepth {
   double depth() const { return std::sqrt(std::sqrt(std::sqrt(sum))); }
   double perPush() const { return depth() / sum; }
   Vec3d slope() const { return slopes * perPush(); }
-  /// Returns a bound of the gradient's change, over the depth. A bound of the force's slope is E''
-  /// (gradient)^2 plus E'(depth) times this. It is 0 if all triangles have the same direction.
-  double bend() const {
+  /// Bounds the second derivative of the depth. The slope of the force is at most E'' gradient^2 + E' times
+  /// this. It is 0 if all triangles have the same direction.
+  double secondDerivative() const {
     const double d = depth();
     return 7 / d * std::max(0.0, sumDepth6 * d * d / sum - dot(slope(), slope()));
   }

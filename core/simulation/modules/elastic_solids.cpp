@@ -139,7 +139,7 @@ StepModule solidSubsteps() {
           [](const World& w, const TermWork&) { return w.modules.substeps; },
           {{ModulePhase::Drift,
             [](StepContext& c) {
-              substepSolids(c.w, c.halos, c.t, c.dt);  // stiff solids: bonds only, in shorter steps
+              substepSolids(c.w, c.halos, c.t, c.dt);  // stiff solids: bonds and walls, in shorter steps
             }},
            {ModulePhase::Limits,
             [](StepContext& c) {

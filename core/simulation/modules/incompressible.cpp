@@ -29,7 +29,7 @@ void solvePressure(World& w, Halos halos, StepTools& t, double dt) {
                 w.clock,
                 w.ledger,
                 w.counters,
-                w.lastIterations,
+                w.pressureIterations,
                 halos,
                 pairSumsOf(w, t.sums),
                 *t.sums.kernels,

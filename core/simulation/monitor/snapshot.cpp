@@ -60,7 +60,7 @@ template<class Rows> void copyOwned(const Rows& from, Rows& to) {
 }  // namespace
 
 void takeSnapshot(const World& w, WorldSnapshot& good) {
-  if (!w.solids.energyKnown || !w.compressionKnown)
+  if (!w.solids.energyKnown || !w.interactionHasCompression)
     throw std::logic_error("stored energies must be computed before a snapshot");
   World& kept = good.world;
   kept.particles.declareLike(w.particles);

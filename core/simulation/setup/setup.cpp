@@ -103,7 +103,7 @@ SamplingReport startWorld(World& w, Halos halos, StepTools& t, const MeshLoader&
   const StepLimits limits = initializeWithLimits(w, halos, t);
   std::ranges::move(compressedLiquids(w, t.liquids, halos.all), std::back_inserter(report.warnings));
   std::ranges::move(longFixedStep(w.scene, nextStep(w.clock), limits), std::back_inserter(report.warnings));
-  w.startDensity = {};
+  w.initialSummedDensity = {};
   return report;
 }
 
@@ -114,7 +114,7 @@ void resumeWorld(World& w, Halos halos, StepTools& t) {
   t.sources.shapes = {};
   t.sleep = {};
   forgetActiveSolids(t.solid.elastic);
-  w.solids.energyKnown = w.compressionKnown = true;  // part of the state
+  w.solids.energyKnown = w.interactionHasCompression = true;  // part of the state
   if (p.solidIndex.active) {
     for (std::size_t i = 0; i < p.owned; i++) p.solidIndex[i] = noSolid;
     rebuildSolidBonds(w, halos, t, {{}, true});  // creates the solids of the records on the rank that read

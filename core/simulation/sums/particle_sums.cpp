@@ -160,7 +160,7 @@ void sumForces(World& w, StepTools& t, const PassRows& rows) {
   if (w.modules.fluid && !w.modules.incompressible) {  // otherwise the pressure is computed at the end of the
                                                        // step
     packPressure(x, w.particles, rows.begin, rows.end, t.sums.records);
-    w.compressionKnown = !w.modules.uniform;
+    w.interactionHasCompression = !w.modules.uniform;
   }
   if (w.modules.flowLaw) packApparentViscosity(x, w.particles, rows.begin, rows.end, t.sums.records);
   t.sums.kernels->forces(withExplicitForces(w, t.sums), rows.groups);

@@ -16,14 +16,14 @@ void addCompression(World& w, const std::vector<LiquidMaterial>& liquids, std::s
 
 void findStoredEnergy(World& w, const StepTools& t) {
   findElasticEnergy(w.solids, w.bonds, t.solid.elastic);
-  if (w.compressionKnown) return;
+  if (w.interactionHasCompression) return;
   for (std::size_t i = 0; i < w.particles.owned; i++) addCompression(w, t.liquids, i);
-  w.compressionKnown = true;
+  w.interactionHasCompression = true;
 }
 
 void findStoredEnergy(World& w, const StepTools& t, std::span<const std::uint32_t> rows) {
   if (w.modules.solid) findElasticEnergy(w.particles, w.solids, w.bonds, t.solid.elastic, rows);
-  if (w.compressionKnown) return;
+  if (w.interactionHasCompression) return;
   for (const std::uint32_t i : rows) addCompression(w, t.liquids, i);
 }
 

@@ -17,10 +17,22 @@ namespace thaw {
 
 /// dt (s): last step, 0 at the start.
 inline CarryContext carryContext(World& w, StepTools& t, double dt) {
-  return {w.scene,      w.modules,        w.grid,         w.particles,
-          w.neighbours, w.walls,          w.startDensity, w.clock,
-          w.counters,   t.liquids,        t.walls.tables, t.sums.scales.inverseLatticeSum,
-          t.carry,      t.walls.contacts, t.sleep.steady, dt};
+  return {w.scene,
+          w.modules,
+          w.grid,
+          w.particles,
+          w.neighbours,
+          w.walls,
+          w.initialSummedDensity,
+          w.clock,
+          w.counters,
+          t.liquids,
+          t.walls.tables,
+          t.sums.scales.inverseLatticeSum,
+          t.carry,
+          t.walls.contacts,
+          t.sleep.steady,
+          dt};
 }
 
 inline HeatView heatView(World& w) { return {w.scene, w.modules, w.particles, w.solids, w.clock, w.ledger}; }

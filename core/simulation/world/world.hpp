@@ -34,18 +34,19 @@ struct World {
   Bonds bonds;
   Pieces pieces;
   Walls walls;
-  std::vector<float> startDensity;  ///< with carried densities: summed relative density at the start, by
-                                    ///< owned row; kept until it is checked
-  Clock clock;
+  std::vector<float> initialSummedDensity  ///< with carried densities: summed relative density at the start,
+                                           ///< by owned row; kept until it is checked
+                                               Clock clock;
   Ledger ledger;
   Counters counters;
   MonitorState monitor;
   Surface surface;
   OrientedBodies oriented;
   SheetBodies sheets;
-  PressureIterations lastIterations;
-  bool compressionKnown = true;  ///< true: Continuum::interaction contains the compression energy; false:
-                                 ///< findStoredEnergy (core/simulation/sums/stored_energy.hpp) adds it
+  PressureIterations pressureIterations;
+  bool interactionHasCompression = true;  ///< true: Continuum::interaction contains the compression energy;
+                                          ///< false: findStoredEnergy
+                                          ///< (core/simulation/sums/stored_energy.hpp) adds it
 };
 
 }  // namespace thaw

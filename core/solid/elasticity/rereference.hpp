@@ -17,11 +17,13 @@ namespace thaw {
 std::int64_t rereference(ElasticWork& work, Solids& solids, Bonds& bonds, const ElasticStep& step,
                          ExactSum& phaseJump);
 
-/// Range of neighbours. In the bonds of the given groups, the copied vectors of neighbours in this range that
-/// took a new reference are updated.
+/// Range of solid rows.
 struct SolidRows {
   std::size_t begin, end;
 };
+
+/// In the bonds of the groups, updates the copied vectors of neighbours in `flagged` that have a new
+/// reference.
 void copyReferences(ElasticWork& work, const Solids& solids, Bonds& bonds,
                     std::span<const std::uint32_t> groups, SolidRows flagged);
 

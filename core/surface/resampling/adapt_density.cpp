@@ -10,7 +10,7 @@
 namespace thaw {
 namespace {
 
-/// Calls f(j, distance) for the neighbours of i on the same side of the sheet.
+/// Calls f(j, distance) for the neighbours of i on the same side of the film.
 template<class F> void forNeighbours(const Surfels& s, const RowLists& lists, std::size_t i, F&& f) {
   for (std::uint64_t k = lists.first[i]; k < lists.end[i]; k++) {
     const std::uint32_t j = lists.row[k];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Conduction of heat and contact conductance (core/heat/contact_heat.hpp). The sum of conduction is part of
-// the pressure sum (core/fluid/terms/conduction.hpp).
+// the pressure sum (core/fluid/terms/forces.hpp), or core/fluid/terms/conduction.hpp without pressure.
 #include "core/terms/material_uses.hpp"
 #include "core/terms/rows/temperature_uses.hpp"
 #include "core/terms/terms.hpp"

@@ -24,7 +24,7 @@ struct RunScene {
                                         ///< cannot be shown
 };
 
-/// Scenes of a run, made once. Thread-safe.
+/// Scenes of a run, each built once and kept. Thread-safe.
 class RunScenes {
  public:
   /// Returns the scene that a frame stores, or nothing. Warns once if its text cannot be read.

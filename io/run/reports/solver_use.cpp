@@ -11,8 +11,8 @@ std::vector<SolverUse> solversOf(const World& w, const StepTools& t) {
   const Counters& c = w.counters;
   std::vector<SolverUse> used;
   if (w.modules.incompressible) {
-    used.push_back({"density", w.lastIterations.density, mean(c.densityIterations)});
-    used.push_back({"divergence", w.lastIterations.divergence, mean(c.divergenceIterations)});
+    used.push_back({"density", w.pressureIterations.density, mean(c.densityIterations)});
+    used.push_back({"divergence", w.pressureIterations.divergence, mean(c.divergenceIterations)});
   }
   if (w.modules.implicitViscosity)
     used.push_back({"viscosity", t.viscous.iterations, mean(c.viscousIterations)});

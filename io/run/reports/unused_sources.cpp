@@ -7,7 +7,7 @@
 
 namespace thaw {
 
-std::vector<std::string> unusedSourceLines(const Ledger& ledger, const Scene& s, Reducer& all) {
+std::vector<std::string> unusedSourceWarnings(const Ledger& ledger, const Scene& s, Reducer& all) {
   const std::vector<SourceUse>& use = ledger.sourceUse;
   std::vector<std::string> lines;
   // Sources that a restart changed have no entries before the first step.

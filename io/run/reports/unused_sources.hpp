@@ -12,6 +12,6 @@ namespace thaw {
 
 /// Returns a warning for each source that has given energy since the start of the run, if no particle
 /// absorbed any of it. The same on any number of ranks. Collective.
-std::vector<std::string> unusedSourceLines(const Ledger& ledger, const Scene& scene, Reducer& all);
+std::vector<std::string> unusedSourceWarnings(const Ledger& ledger, const Scene& scene, Reducer& all);
 
 }  // namespace thaw

@@ -137,7 +137,7 @@ void readOutput(TableReader& r, Scene& s) {
   Output& o = s.output;
   const std::vector<std::string> known = outputFields(s);
   r.restart(Restart::Free);
-  // Otherwise new frames would have the numbers of existing ones.
+  // A changed interval would give new frames the numbers of existing ones.
   r.as(Restart::State).number("every", o.every, "s", positive(), "simulated time between frames");
   r.number("ledger_every", o.ledgerEvery, "s", notNegative(),
            "simulated time between additional rows of ledger.csv, which has one per frame. A row is written "

@@ -44,7 +44,7 @@ std::vector<SceneWarning> compressedLiquids(const World& w, const std::vector<Li
   for (std::size_t i = 0; i < p.owned; i++) {
     if (p.phase[i] != Liquid || p.body[i] >= bodies) continue;
     sums[2 * p.body[i]]++;
-    const double density = w.modules.continuity ? excused(w.startDensity[i])
+    const double density = w.modules.continuity ? excused(w.initialSummedDensity[i])
                                                 : static_cast<double>(p.relativeDensity[i]);
     if (!(density > 1)) continue;
     const double stiffness = liquids[p.material[i]].stiffness / w.scene.materials[p.material[i]].density;
