@@ -36,7 +36,7 @@ struct World {
   Walls walls;
   std::vector<float> initialSummedDensity  ///< with carried densities: summed relative density at the start,
                                            ///< by owned row; kept until it is checked
-                                               Clock clock;
+      Clock clock;
   Ledger ledger;
   Counters counters;
   MonitorState monitor;
