@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "core/terms/extensions.hpp"
 #include "io/scene/tables/read_sections.hpp"
 
 namespace thaw {
@@ -111,7 +112,10 @@ Scene wholeScene() {
   const auto name = [](auto& list) {
     for (auto& element : list) element.name = "NAME";
   };
+  for (const std::string& law : lawNames()) s.materials.emplace_back().law.name = law;
   name(s.materials), name(s.bodies), name(s.emitters), name(s.obstacles), name(s.sheets), name(s.oriented);
+  for (const std::string& table : extensionNames([](const Extension& e) { return e.usesTable(); }))
+    s.extensions.push_back({table, {}});
   s.extensions.push_back({"NAME", {}});
   return s;
 }
