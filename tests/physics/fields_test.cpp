@@ -149,9 +149,9 @@ TEST(Fields, MeltingAddsItsOwn) {
   s.bodies[0].temperatureGradient = {1, 0, 0};
   EXPECT_EQ(added(s, block(true)),
             (Names{"continuum.relativeDensity", "continuum.enthalpy", "continuum.temperature",
-                   "continuum.conductionCorrection", "continuum.liquid", "continuum.frame",
-                   "continuum.justFrozen", "continuum.contactOffset", "continuum.heatFlow",
-                   "continuum.softening", "solid.liquid", "solid.melted"}));
+                   "continuum.heatFlow", "continuum.conductionCorrection", "continuum.liquid",
+                   "continuum.softening", "continuum.frame", "continuum.justFrozen",
+                   "continuum.contactOffset", "solid.liquid", "solid.melted"}));
 }
 
 TEST(Fields, SurfaceAddsTwoToParticlesAndItsOwnTables) {
