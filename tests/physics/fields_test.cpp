@@ -147,11 +147,11 @@ TEST(Fields, MeltingAddsItsOwn) {
   EXPECT_EQ(added(s, block(true)), Names{}) << "without heat nothing melts";
   m.conductivity = {1, 1};
   s.bodies[0].temperatureGradient = {1, 0, 0};
-  EXPECT_EQ(added(s, block(true)),
-            (Names{"continuum.relativeDensity", "continuum.enthalpy", "continuum.temperature",
-                   "continuum.heatFlow", "continuum.conductionCorrection", "continuum.liquid",
-                   "continuum.softening", "continuum.frame", "continuum.justFrozen",
-                   "continuum.contactOffset", "solid.liquid", "solid.melted"}));
+  EXPECT_EQ(
+      added(s, block(true)),
+      (Names{"continuum.relativeDensity", "continuum.enthalpy", "continuum.temperature", "continuum.heatFlow",
+             "continuum.conductionCorrection", "continuum.liquid", "continuum.softening", "continuum.frame",
+             "continuum.justFrozen", "continuum.contactOffset", "solid.liquid", "solid.melted"}));
 }
 
 TEST(Fields, SurfaceAddsTwoToParticlesAndItsOwnTables) {
