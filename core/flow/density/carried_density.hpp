@@ -28,8 +28,8 @@ struct CarryContext {
   Continuum& particles;
   const NeighbourLists& neighbours;
   const Walls& walls;
-  std::vector<float>& initialSummedDensity  ///< 1, summed at the start, by owned row
-      const Clock& clock;
+  std::vector<float>& initialSummedDensity;  ///< 1, summed at the start, by owned row
+  const Clock& clock;
   Counters& counters;
   const std::vector<LiquidMaterial>& liquids;
   const WallTables& wallTables;

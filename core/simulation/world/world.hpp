@@ -34,9 +34,9 @@ struct World {
   Bonds bonds;
   Pieces pieces;
   Walls walls;
-  std::vector<float> initialSummedDensity  ///< with carried densities: summed relative density at the start,
-                                           ///< by owned row; kept until it is checked
-      Clock clock;
+  std::vector<float> initialSummedDensity;  ///< with carried densities: summed relative density at the start,
+                                            ///< by owned row; kept until it is checked
+  Clock clock;
   Ledger ledger;
   Counters counters;
   MonitorState monitor;
