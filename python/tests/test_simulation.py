@@ -349,7 +349,7 @@ def test_arguments_of_other_types_are_refused():
     with pytest.raises(thaw.SceneError, match='scene:1:1: error: there is nothing to simulate'):
         thaw.Simulation({})
     for given in (3, None):
-        with pytest.raises(TypeError, match=f'scene: expected a path, got {given}'):
+        with pytest.raises(TypeError, match=f'scene: expected a path, a dict or a Scene, got {given}'):
             thaw.Simulation(given)
     for name, wrong, expected in (
         ('comm', 4, 'a communicator of mpi4py'),

@@ -115,7 +115,7 @@ class Scene(metaclass=_Completed):
     def of(cls, scene: Union[str, "Scene", Mapping[str, Any]]) -> "Scene":
         """The scene itself, or a scene made from a file or a dict of keys."""
         if scene is None:
-            raise TypeError("scene: expected a path, got None")
+            raise TypeError("scene: expected a path, a dict or a Scene, got None")
         return scene if isinstance(scene, Scene) else cls(scene)
 
     def __getitem__(self, key: str) -> Any:
