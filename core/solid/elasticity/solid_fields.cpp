@@ -26,7 +26,9 @@ std::vector<LawLoop> lawLoopsOf(const ElasticWork& work) {
 
 void activateSolidFields(Continuum& particles, Solids& solids, Bonds& bonds, ElasticWork& work,
                          const SolidSetup& setup) {
-  const auto& [scene, modules, grid] = setup;
+  const Scene& scene = setup.scene;
+  const Modules& modules = setup.modules;
+  const CellGrid& grid = setup.grid;
   work.materials = scene.materials;
   for (Material& m : work.materials) m.density = solidDensityOf(m);  // for volumes and damping of bonds
   work.precision = scene.numerics.elasticPrecision;

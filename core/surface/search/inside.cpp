@@ -52,16 +52,16 @@ SurfaceSide sideOf(const Surfels& f, const InsideTools::Candidate* begin, const 
 
 void findSides(const Surfels& f, const Bins& bins, const SideQuery& query, InsideTools& t,
                std::vector<SurfaceSide>& sides) {
-  const auto& [x, label, others, reach] = query;
+  const Vec3d& x = query.position;
   t.near.clear();
   sides.clear();
   t.seen.clear();
   t.groups.clear();
   double largest = 0;
   std::uint32_t group = 0;
-  forRowsWithin(bins, x, reach, [&](std::uint32_t j, double d2) {
+  forRowsWithin(bins, x, query.reach, [&](std::uint32_t j, double d2) {
     const std::uint64_t c = f.component[j];
-    if ((c != label) != others) return;
+    if ((c != query.component) != query.others) return;
     if (t.groups.empty() || t.groups[group].component != c) {
       for (group = 0; group < t.groups.size() && t.groups[group].component != c;) group++;
       if (group == t.groups.size()) t.groups.push_back({c, d2});

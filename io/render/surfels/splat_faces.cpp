@@ -32,7 +32,8 @@ SurfelShade mixed(const CameraFaces::Face& f, std::span<const SurfelShade> shade
 
 CameraFaces facesBefore(std::span<const Vec3f> positions, std::span<const std::array<std::uint32_t, 3>> faces,
                         const SampleGrid& samples, float near) {
-  const auto& [view, width, height] = samples;
+  const View& view = samples.view;
+  const int width = samples.width, height = samples.height;
   CameraFaces all;
   for (const auto& rows : faces) {
     CameraFaces::Face f{{}, {}, rows, width, -1, height, -1};

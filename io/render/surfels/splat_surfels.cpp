@@ -310,7 +310,8 @@ std::vector<std::uint8_t> facingDiscs(const Discs& discs, const View& view, int 
 
 void splatSurfels(const SurfelScene& scene, std::span<const std::uint8_t> seen, const SampleGrid& samples,
                   int threads, const std::function<void(const SurfelTile&)>& take) {
-  const auto& [view, width, height] = samples;
+  const View& view = samples.view;
+  const int width = samples.width, height = samples.height;
   const CameraDiscs discs = visibleDiscs(scene, seen, view, width, height);
   const TileLists lists = tileLists(discs.sphereBox, width, height);
   std::vector<Box> faceBoxes;
