@@ -22,8 +22,8 @@
 namespace thaw {
 namespace {
 
-/// Returns the moment of inertia (kg m^2) of a particle about its own centre. It is 0 in elastic solids,
-/// whose particles do not rotate.
+/// Returns the moment of inertia (kg m^2) of a particle about its own centre. It is 0 in elastic solids:
+/// their particles do not rotate.
 double inertiaOf(const Continuum& p, const Scene& scene, std::size_t i) {
   return piecesAreElastic(p) ? 0 : ownInertia(p.mass[i], scene.spacing);
 }

@@ -177,21 +177,14 @@ const Extension* findFieldOwner(const std::string& field) {
   return nullptr;
 }
 
-std::vector<const Extension*> usedExtensions(const Scene& scene) {
+std::vector<const Extension*> usedExtensions(Scene& scene) {
   std::vector<const Extension*> used;
-  Scene copy = scene;  // elements of tables are not const
-  eachUse(copy, [&](const ExtensionSettings& s) {
+  eachUse(scene, [&](const ExtensionSettings& s) {
     const Extension* e = findExtension(s.name);
     if (!e) throw std::invalid_argument("extension '" + s.name + "' is not registered");
     if (!e->builtIn && std::find(used.begin(), used.end(), e) == used.end()) used.push_back(e);
   });
   return used;
-}
-
-std::string usedExtensionNames(const Scene& scene) {
-  std::string names;
-  for (const Extension* e : usedExtensions(scene)) names += (names.empty() ? "" : ", ") + e->name;
-  return names;
 }
 
 std::vector<std::string> extensionNames(const std::function<bool(const Extension&)>& has) {

@@ -76,9 +76,7 @@ const Extension* findExtension(const std::string& name);
 const Extension* findFieldOwner(const std::string& field);
 /// Returns the extensions of programs that a scene names, each once. Throws std::invalid_argument for one
 /// that is not registered.
-std::vector<const Extension*> usedExtensions(const Scene& scene);
-/// Returns their names as one text: "lamp, capsule".
-std::string usedExtensionNames(const Scene& scene);
+std::vector<const Extension*> usedExtensions(Scene& scene);
 /// Returns the names of the extensions for which `has` is true, in order.
 std::vector<std::string> extensionNames(const std::function<bool(const Extension&)>& has);
 /// Returns the names of all elastic laws: those of the library in the order of their table, then others.

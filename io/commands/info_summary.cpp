@@ -31,10 +31,8 @@ std::string named(const char* what, const std::string& text) {
 
 /// Returns the names of extensions in the summary, or in the newest checkpoint.
 std::string extensionsText(const Json& run, const Json& summary) {
-  std::string text;
-  if (summary.contains("extensions"))
-    for (const Json& name : summary["extensions"])
-      text += (text.empty() ? "" : ", ") + name.get<std::string>();
+  const auto names = summary.value("extensions", std::vector<std::string>{});
+  const std::string text = fmt::format("{}", fmt::join(names, ", "));
   return text.empty() && !run["checkpoints"].empty() ? textOf(run["checkpoints"][0], "extensions") : text;
 }
 

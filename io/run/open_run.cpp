@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/flow/density/connected_density.hpp"
+#include "core/terms/extensions.hpp"
 #include "io/hdf5/collective_error.hpp"
 #include "io/run/reports/progress.hpp"
 #include "io/run/reports/unused_sources.hpp"
@@ -35,6 +36,7 @@ std::vector<std::string> prepareRun(Run& r, const MeshLoader& load) {
   });
   std::vector<std::string> slow = requireMemoryForBodyTypes(r.comm, r.world.scene, load);
   r.prepare(load);
+  for (const Extension* e : usedExtensions(r.world.scene)) r.summary.extensions.push_back(e->name);
   requireMemory(r.comm, r.world.modules, r.world.scene, r.tools.sources.shapes);
   if (r.world.modules.surface) renewSurfaceHalos(r);
   return slow;

@@ -13,7 +13,6 @@
 #include "core/sleep/awake_reason.hpp"
 #include "core/solid/elasticity/active_solids.hpp"
 #include "core/surface/resume_surface.hpp"
-#include "core/terms/extensions.hpp"
 #include "core/time/frame_times.hpp"
 #include "io/frames/frame_fields.hpp"
 #include "io/hdf5/collective_error.hpp"
@@ -109,7 +108,8 @@ void reportBodies(const Run& r, const SamplingReport& sampled) {
 }  // namespace
 
 RunStamp Run::stamp() const {
-  return {name, world.scene.text, world.scene.output.piecesByRank, usedExtensionNames(world.scene)};
+  return {name, world.scene.text, world.scene.output.piecesByRank,
+          fmt::format("{}", fmt::join(summary.extensions, ", "))};
 }
 
 std::vector<std::string> Run::allWarnings() const {

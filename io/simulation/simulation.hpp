@@ -122,8 +122,8 @@ class Simulation {
   void onPhase(HookPhase phase, std::function<void()> call);
   /// Adds a function that finish() calls before the last checkpoint.
   void onEnd(std::function<void()> call);
-  /// Adds a force (N) or a source of heat (W) from now on, as OutsideLoad describes. After a restart, add
-  /// those of the earlier run before the first step. Its work, impulse and heat are in the ledger. The
+  /// Adds a force (N) or a source of heat (W) from now on, as OutsideLoad describes. After a restart, first
+  /// add the forces and sources of the earlier run. Its work, impulse and heat are in the ledger. The
   /// automatic sound speed of liquids does not include it: give material.sound_speed, ten times the largest
   /// speed of the flow.
   void addForce(OutsideSource source);

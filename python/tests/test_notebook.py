@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Cells of a notebook: a bar of progress and a picture. Skipped without IPython."""
+"""Cells of a notebook: progress bar and picture. Skipped without IPython."""
 from __future__ import annotations
 
 import pathlib

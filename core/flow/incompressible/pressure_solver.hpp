@@ -18,8 +18,8 @@
 // D_i. D_i is the gradient of delta_i, corrected inside the liquid (gradient_correction.hpp). The predicted
 // compression e is then at most 0, and k = 0 where e < 0. The problem is convex; its matrix V D M^-1 D^T V is
 // symmetric and never formed. It is solved by Jacobi steps, clamped at 0, with Nesterov's momentum (N83),
-// restarted where it points uphill (OC15). All decisions rest on integer sums over all ranks, so the number
-// of iterations does not depend on the number of ranks.
+// restarted where it points uphill (OC15). All decisions rest on integer sums over all ranks.
+// Iterations therefore do not depend on the number of ranks.
 #pragma once
 #include "core/flow/incompressible/pressure_system.hpp"
 

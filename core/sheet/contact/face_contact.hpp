@@ -18,8 +18,8 @@ bool coarserThanParticles(const Scene& scene, const SheetPlan& plan);
 double faceContactReach(const std::vector<SheetPlan>& plans);
 
 /// Adds to load, energy, dissipativeForce, heatFlow and slope of sheets, and to force, interaction,
-/// dissipation and heatFlow of particles. A particle's owner computes depth and force from the triangles
-/// whose corners lie in the 27 cells around the particle and around each other. The corners' owners also find
+/// dissipation and heatFlow of particles. A particle's owner computes depth and force from triangles
+/// with all corners in the 27 cells around the particle and around each other. The corners' owners also find
 /// these triangles. They add their fractions in (cell, id) order of the particles. Friction acts only at the
 /// nearest point, since it stores no energy. Requires: ghosts of vertices with ids, and of particles.
 /// Collective.

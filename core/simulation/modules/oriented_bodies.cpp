@@ -25,8 +25,7 @@ StepModule orientedBodies() {
       [](const World& w, const TermWork&) { return w.modules.oriented; },
       {{ModulePhase::BeforeMotion,
         [](StepContext& c) {
-          // Oriented particles have their own integrator, which uses obstacles at the positions
-          // of the last forces.
+          // Their own integrator uses obstacles at the positions of the last forces.
           stepOriented(orientedView(c.w, c.t), c.halos, c.dt);
         }},
        {ModulePhase::Redistributed,

@@ -65,11 +65,8 @@ void addExtensions(World& w, TermWork& terms, StepLimits& limits) {
   for (const Extension* term : modelTerms())
     if (term->pairForce.kernels.sum && isUsed(*term, w.scene, w.modules))
       addPairForce(w, terms, limits, *term, none);
-  std::vector<std::string>& why = w.modules.why;
   for (const Extension* e : usedExtensions(w.scene))
-    if (const std::string line = "extension '" + e->name + "': " + e->about;
-        std::find(why.begin(), why.end(), line) == why.end())
-      why.push_back(line);
+    w.modules.why.push_back("extension '" + e->name + "': " + e->about);
 }
 
 }  // namespace thaw

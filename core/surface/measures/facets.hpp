@@ -14,8 +14,8 @@ namespace thaw {
 /// areas sum to zero, and its volume is sum x . facets / 3. This is also valid for films, for which sum x . n
 /// A with the surfels' normals is wrong by half. Voronoi shares (MDSB03) do not depend on the diagonal that
 /// each of four cocircular surfels uses. To second order, the surface bulges over a facet by area/24 sum (n_b
-/// - n_a).(x_b - x_a) over its sides. The term for larger angles is fitted to spheres of 24 to 100 surfels,
-/// whose volume is exact to 0.1 %. Two planes that meet at an edge bulge by twice the second-order term.
+/// - n_a).(x_b - x_a) over its sides. The term for larger angles is fitted to spheres of 24 to 100 surfels:
+/// their volume is exact to 0.1 %. Two planes that meet at an edge bulge by twice the second-order term.
 void measureFan(Surfels& surfels, std::size_t i, std::span<const std::uint32_t> ring);
 
 }  // namespace thaw

@@ -10,7 +10,6 @@
 
 #include "core/simulation/ledger/totals.hpp"
 #include "core/simulation/world/body_types.hpp"
-#include "core/terms/extensions.hpp"
 #include "io/hdf5/parallel_file.hpp"
 #include "io/run/reports/process_identity.hpp"
 #include "io/text/counted.hpp"
@@ -133,8 +132,6 @@ void gatherSummary(RunSummary& s, const World& w, const PhaseTimes& times,
   s.clock = w.clock;
   s.ranks = all.size();
   s.modules = w.modules.why;
-  s.extensions.clear();
-  for (const Extension* e : usedExtensions(w.scene)) s.extensions.push_back(e->name);
   s.sceneFile = w.scene.file;
   s.title = w.scene.title;
 }

@@ -34,7 +34,7 @@ struct RunSummary {
   double particleSpread = 1;                 ///< largest over mean number of particles per rank
   std::vector<std::string> warnings;
   std::vector<std::string> modules;
-  std::vector<std::string> extensions;  ///< names of extensions of programs
+  std::vector<std::string> extensions;  ///< names of extensions of programs, set once
   std::vector<SolverUse> solvers;       ///< from the first rank
   SurfaceSummary surface;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/scene/tables/read_extension.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -9,12 +11,6 @@
 
 namespace thaw {
 namespace {
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string all;
-  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-  return all;
-}
 
 void readKeys(TableReader& r, const Extension& e, ExtensionSettings& settings) {
   settings.name = e.name;
@@ -38,9 +34,10 @@ std::string otherUses(const Extension& e) {
 void readExtension(TableReader& r, ExtensionSettings& settings, SceneReading&) {
   const Extension* e = findExtension(settings.name);
   if (!e && r.reading()) {
-    const std::string known = joined(
-        extensionNames([](const Extension& other) { return other.usesTable() || !other.builtIn; }));
-    r.fail(r.place(), r.path() + ": unknown extension; this program has " + (known.empty() ? "none" : known));
+    const std::vector<std::string> known = extensionNames(
+        [](const Extension& other) { return other.usesTable() || !other.builtIn; });
+    r.fail(r.place(), r.path() + ": unknown extension; this program has " +
+                          (known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
     r.ignoreKeys();
   }
   if (!e) return;
@@ -60,7 +57,7 @@ void readLaw(TableReader& r, Material& m) {
   int law = static_cast<int>(std::find(names.begin(), names.end(), m.law.name) - names.begin());
   if (law == static_cast<int>(names.size()))  // a scene made in code
     throw std::invalid_argument("material '" + m.name + "': unknown elastic law '" + m.law.name +
-                                "'; expected one of " + joined(names));
+                                "'; expected one of " + fmt::format("{}", fmt::join(names, ", ")));
   std::string about = "elastic energy";
   for (const std::string& name : names) about += ". \"" + name + "\": " + findExtension(name)->about;
   // Pieces are part of the state, so a run cannot change to or from them.
