@@ -71,7 +71,7 @@ void countBodies(const World& w, const SamplingReport& sampled, Reducer& all, Ch
     const Material& m = w.scene.materials[static_cast<std::size_t>(bodies[b].material)];
     const double density = startDensity(w.scene, w.modules, bodies[b]);
     CheckedBody body{bodies[b].name, m.name, sampled.particles[b], 0,
-                     density * std::pow(w.scene.spacing, 3) * static_cast<double>(sampled.particles[b])};
+                     density * sampled.volume[b]};
     body.hasClamps = !bodies[b].clamp.empty();
     if (body.hasClamps) body.clamped = sampled.clamped[b];
     if (b < volumes.size() && sampled.removed == 0) body.shapeMass = density * volumes[b];

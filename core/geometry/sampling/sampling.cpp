@@ -5,57 +5,14 @@
 #include <array>
 #include <cmath>
 
-#include "core/geometry/basic/shape_error.hpp"
-#include "core/geometry/shapes/combined.hpp"
 #include "core/math/hash_random.hpp"
 
 namespace thaw {
 namespace {
 
-constexpr double mostPoints = 1099511627776.0;  // 2^40
 constexpr std::size_t pointsAtOnce = 256;       // points of a row per batch
 
-/// Returns the lattice in bounds, along the axes of the bounds.
-SampleLattice latticeIn(const Bounds& b, double spacing, Layers layers) {
-  SampleLattice l;
-  l.spacing = spacing;
-  double points = 1;
-  for (int a = 0; a < 3; a++) {
-    const double size = b.max[a] - b.min[a];
-    if (!std::isfinite(b.min[a]) || !std::isfinite(b.max[a]))
-      throw ShapeError("a body of infinite size cannot be filled with particles");
-    const double n = std::max(
-        1.0, layers == Layers::Fit ? std::floor(size / spacing + 1e-6) : std::ceil(size / spacing - 1e-6));
-    points *= n;
-    if (!(points < mostPoints))
-      throw ShapeError("a body of this size needs more than 10^12 particles at the scene's spacing");
-    l.count[a] = static_cast<std::int64_t>(n);
-    l.corner[a] = 0.5 * (b.min[a] + b.max[a]) - 0.5 * n * spacing;
-  }
-  return l;
-}
-
 }  // namespace
-
-SampleLattice sampleLattice(const SignedDistance& shape, double spacing, Layers layers) {
-  return latticeIn(shape.bounds(), spacing, layers);
-}
-
-SampleLattice turnedLattice(const SignedDistance& shape, double spacing, Layers layers) {
-  const Mat3d axes = axesOf(shape);
-  if (isIdentity(axes)) return sampleLattice(shape, spacing, layers);
-  const Mat3d rows = transpose(axes);
-  Bounds b;
-  for (int a = 0; a < 3; a++) {
-    b.min[a] = -shape.extent(-rows.row[a]);
-    b.max[a] = shape.extent(rows.row[a]);
-  }
-  SampleLattice l = latticeIn(b, spacing, layers);
-  l.axes = axes;
-  l.turned = true;
-  l.corner = axes * l.corner;
-  return l;
-}
 
 SampleRange sampleRange(const SampleLattice& lattice, int rank, int ranks) {
   const std::int64_t rows = lattice.rows(), share = rows / ranks, rest = rows % ranks;

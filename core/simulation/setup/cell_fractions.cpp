@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/simulation/setup/cell_fractions.hpp"
 
+#include <algorithm>
 #include <array>
 #include <unordered_map>
 
@@ -19,13 +20,14 @@ struct Cell {
 
 class CellFractions {
  public:
-  CellFractions(const SignedDistance& shape, const SampleLattice& l) : shape_(shape), l_(l) {}
+  CellFractions(const SignedDistance& shape, const SampleLattice& l)
+      : shape_(shape), l_(l), edge_(std::max({l.cell.x, l.cell.y, l.cell.z})) {}
 
   std::int32_t of(std::int64_t point) {
     const Cell c = cellOf(point);
-    const double d = shape_.distanceWithin(middle(c), 3 * l_.spacing);
-    if (-d > 3 * halfDiagonal * l_.spacing) return wholeCell;
-    std::int32_t share = -d > halfDiagonal * l_.spacing ? wholeCell
+    const double d = shape_.distanceWithin(middle(c), 3 * edge_);
+    if (-d > 3 * halfDiagonal * edge_) return wholeCell;
+    std::int32_t share = -d > halfDiagonal * edge_ ? wholeCell
                                                         : static_cast<std::int32_t>(samplesIn(c).size());
     forAround(c, [&](const Cell& o) {
       if (isInside(o)) return;
@@ -42,6 +44,7 @@ class CellFractions {
   };
   const SignedDistance& shape_;
   const SampleLattice& l_;
+  double edge_;  // m, longest edge of a cell
   std::unordered_map<std::int64_t, std::vector<Piece>> pieces_;  // by cell without a particle: the
                                                                  // particles that own its parts
 
@@ -52,7 +55,7 @@ class CellFractions {
     return {{n % l_.count[0], n / l_.count[0] % l_.count[1], n / l_.count[0] / l_.count[1]}};
   }
   Vec3d middle(const Cell& c) const { return l_.at(c.at[0], c.at[1], c.at[2]); }
-  bool isInside(const Cell& c) const { return shape_.distanceWithin(middle(c), l_.spacing) < 0; }
+  bool isInside(const Cell& c) const { return shape_.distanceWithin(middle(c), edge_) < 0; }
 
   /// Visits the surrounding cells (up to 26) that are in the lattice. The lattice covers the body.
   template<class F> void forAround(const Cell& c, const F& f) const {
@@ -68,12 +71,13 @@ class CellFractions {
 
   std::vector<Vec3d> samplesIn(const Cell& c) const {
     std::vector<Vec3d> in;
-    const auto off = [&](int k) { return ((k + 0.5) / across - 0.5) * l_.spacing; };
+    const Vec3d edges = l_.edges(c.at[0], c.at[1], c.at[2]);
+    const auto off = [&](int k, int a) { return ((k + 0.5) / across - 0.5) * edges[a]; };
     for (int z = 0; z < across; z++)
       for (int y = 0; y < across; y++)
         for (int x = 0; x < across; x++)
-          if (const Vec3d at = middle(c) + l_.along({off(x), off(y), off(z)});
-              shape_.distanceWithin(at, l_.spacing) < -rounding * l_.spacing)
+          if (const Vec3d at = middle(c) + l_.along({off(x, 0), off(y, 1), off(z, 2)});
+              shape_.distanceWithin(at, edge_) < -rounding * edge_)
             in.push_back(at);
     return in;
   }
@@ -81,7 +85,7 @@ class CellFractions {
   const std::vector<Piece>& piecesOf(const Cell& c) {
     const auto [found, fresh] = pieces_.try_emplace(numberOf(c));
     std::vector<Piece>& pieces = found->second;
-    if (!fresh || !(shape_.distanceWithin(middle(c), l_.spacing) < halfDiagonal * l_.spacing)) return pieces;
+    if (!fresh || !(shape_.distanceWithin(middle(c), edge_) < halfDiagonal * edge_)) return pieces;
     std::vector<Vec3d> places;
     forAround(c, [&](const Cell& o) {
       if (isInside(o)) pieces.push_back({numberOf(o), 0}), places.push_back(middle(o));
@@ -90,7 +94,7 @@ class CellFractions {
       std::size_t nearest = 0;
       const auto away = [&](std::size_t k) { return length(places[k] - x); };
       for (std::size_t k = 1; k < places.size(); k++)
-        if (away(k) < away(nearest) - rounding * l_.spacing) nearest = k;
+        if (away(k) < away(nearest) - rounding * edge_) nearest = k;
       if (!places.empty()) pieces[nearest].samples++;
     }
     return pieces;

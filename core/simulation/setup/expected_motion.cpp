@@ -22,9 +22,7 @@ std::vector<std::int64_t> evenly(std::int64_t points, std::int64_t count) {
 
 /// Calls `see` with some lattice points of a body, or with its box's corners if no point is inside.
 template<class See>
-void forSomePoints(const Scene& s, const Body& b, const SignedDistance& shape, std::int64_t perAxis,
-                   See see) {
-  const SampleLattice l = bodyLattice(s, b, shape);
+void forSomePoints(const SignedDistance& shape, const SampleLattice& l, std::int64_t perAxis, See see) {
   bool any = false;
   for (const std::int64_t k : evenly(l.count[2], perAxis))
     for (const std::int64_t j : evenly(l.count[1], perAxis))
@@ -37,10 +35,11 @@ void forSomePoints(const Scene& s, const Body& b, const SignedDistance& shape, s
 }
 
 /// Largest speed (m/s) of some points of a body.
-double fastestPoint(const Scene& s, const Body& b, const SignedDistance& shape, std::int64_t perAxis) {
+double fastestPoint(const Body& b, const SignedDistance& shape, const SampleLattice& l,
+                    std::int64_t perAxis) {
   const Vec3d centre = middleOf(shape);
   double fastest = 0;
-  forSomePoints(s, b, shape, perAxis, [&](const Vec3d& x) {
+  forSomePoints(shape, l, perAxis, [&](const Vec3d& x) {
     const double v = length(startVelocity(b, centre, x));
     if (std::isfinite(v)) fastest = std::max(fastest, v);
   });
@@ -48,7 +47,7 @@ double fastestPoint(const Scene& s, const Body& b, const SignedDistance& shape, 
 }
 
 /// Finds the range of temperatures for buoyancy.
-void addTemperatures(const Scene& s, const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
+void addTemperatures(const Scene& s, const Shapes& shapes, std::span<const SampleLattice> lattices,
                      ExpectedMotion& m) {
   constexpr std::int64_t perAxis = 33;
   if (!hasBuoyancy(s)) return;
@@ -56,26 +55,26 @@ void addTemperatures(const Scene& s, const std::vector<std::shared_ptr<const Sig
     const Body& body = s.bodies[b];
     const Vec3d centre = middleOf(*shapes[b]);
     const bool uniform = !body.temperatureField && length(body.temperatureGradient) == 0;
-    forSomePoints(s, body, *shapes[b], uniform ? 1 : perAxis, [&](const Vec3d& x) {
+    forSomePoints(*shapes[b], lattices[b], uniform ? 1 : perAxis, [&](const Vec3d& x) {
       const double T = startTemperature(body, centre, x);
       if (std::isfinite(T)) m.coldest = std::min(m.coldest, T), m.hottest = std::max(m.hottest, T);
     });
   }
 }
 
-void addBodies(const Scene& s, const std::vector<std::shared_ptr<const SignedDistance>>& shapes,
-               ExpectedMotion& m) {
+void addBodies(const Scene& s, const Shapes& shapes, ExpectedMotion& m) {
+  const std::vector<SampleLattice> lattices = bodyLattices(s, shapes);
   constexpr double mostPoints = 1e6;  // over all bodies; tens of milliseconds for simple shapes
   const auto bodies = std::count_if(s.bodies.begin(), s.bodies.end(), turnsOrStrains);
   const double each = std::cbrt(mostPoints / static_cast<double>(std::max<std::ptrdiff_t>(1, bodies)));
   const auto perAxis = static_cast<std::int64_t>(std::clamp(each, 3.0, 33.0));
   for (std::size_t b = 0; b < s.bodies.size(); b++) {
     const Body& body = s.bodies[b];
-    const double v = turnsOrStrains(body) ? fastestPoint(s, body, *shapes[b], perAxis)
+    const double v = turnsOrStrains(body) ? fastestPoint(body, *shapes[b], lattices[b], perAxis)
                                           : length(body.velocity);
     if (v > m.start) m.start = v, m.startBy = "body '" + body.name + "'";
   }
-  addTemperatures(s, shapes, m);
+  addTemperatures(s, shapes, lattices, m);
   const auto whole = [&](const auto& bodies2, const char* kind) {
     for (const auto& b : bodies2)
       if (length(b.velocity) > m.start)

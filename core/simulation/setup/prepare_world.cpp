@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/domain/body_lattices.hpp"
 #include "core/domain/emit.hpp"
 #include "core/fluid/pair_sums/pair_kernels.hpp"
 #include "core/geometry/basic/signed_distance.hpp"
@@ -80,6 +81,18 @@ void makeShapes(World& w, ParticleSources& sources, TermWork& terms, const MeshL
   sources.shapes = std::move(shapes);
 }
 
+/// Returns true if the particles of all bodies and emitters have one mass. Requires: one material.
+bool equalMasses(const Scene& s, const ParticleSources& sources) {
+  const double density = s.materials[0].density;
+  std::vector<double> masses;
+  for (const SampleLattice& l : bodyLattices(s, sources.shapes)) {
+    if (!l.equalCells()) return false;
+    masses.push_back(l.mass(0, density));
+  }
+  for (const EmitterPlan& e : sources.emitters) masses.push_back(e.particleMass);
+  return std::ranges::adjacent_find(masses, std::ranges::not_equal_to{}) == masses.end();
+}
+
 /// Returns the constants of pair sums. support: m.
 SumScales sumScales(const Scene& s, const Modules& modules, double support) {
   const Numerics& n = s.numerics;
@@ -122,6 +135,7 @@ void prepareWorld(World& w, StepTools& t, const MeshLoader& load) {
   addWallImages(w.scene.domain, reachOfWalls(w.scene, w.grid, w.sheets), w.walls);
   w.scene.fallHeight = fallHeightOf(w.scene, t.sources.shapes);
   t.sources.emitters = planEmitters(w.scene);
+  w.modules.uniform = w.modules.uniform && equalMasses(w.scene, t.sources);
   w.scene.expected = expectedMotion(w.scene, t.sources.shapes, w.walls, t.sources.emitters);
 
   if (w.modules.oriented) prepareOriented(w.scene, t.oriented, load);

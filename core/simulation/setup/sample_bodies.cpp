@@ -2,6 +2,7 @@
 #include "core/simulation/setup/sample_bodies.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <span>
 
@@ -69,12 +70,12 @@ void fillRows(World& w, std::size_t b, const BodyLattice& lattice, std::span<con
     return c.inside(x) || (wrapPlace(w.grid, s.domain, x), c.inside(x));
   };
   for (std::size_t i = first; i < first + points.size(); i++) {
-    const std::int64_t point = points[i - first], row = point / l.count[0];
-    const Vec3d x = l.at(point % l.count[0], row % l.count[1], row / l.count[1]);
+    const std::int64_t point = points[i - first];
+    const Vec3d x = l.at(point);
     p.id[i] = particleId(b, static_cast<std::uint64_t>(point));
     p.position[i] = jitter > 0 ? jittered(x, jitter, dx, s.seed, p.id[i]) : x;
     p.velocity[i] = body.velocity + cross(body.spin, x - centre);
-    p.mass[i] = m.density * dx * dx * dx;
+    p.mass[i] = l.mass(point, m.density);
     p.material[i] = static_cast<std::uint16_t>(body.material);
     p.body[i] = static_cast<std::uint16_t>(b);
     const double T = body.temperature + dot(body.temperatureGradient, x - centre);
@@ -90,10 +91,13 @@ void fillRows(World& w, std::size_t b, const BodyLattice& lattice, std::span<con
   }
 }
 
+constexpr double perCube = 1 << 20;
+
 /// Counts of the samples by body, for this rank. After reduceCounts they are for all ranks.
 struct SampleCounts {
   std::vector<std::int64_t> particles, clamped;
   std::vector<std::int64_t> filled;                ///< 64ths of cells (cellFractions)
+  std::vector<std::int64_t> volume;                ///< of cells; perCube: one cubic spacing
   std::vector<std::vector<std::int64_t>> inClamp;  ///< by body and clamp
   std::int64_t removed = 0;                        ///< by the overlap rule
 };
@@ -101,13 +105,19 @@ struct SampleCounts {
 /// Results of sampling on this rank.
 struct Sampling {
   Sampling(const Scene& s, const Shapes& ofBodies, const OverlapTest& test)
-      : shapes(ofBodies), overlap(test), overlaps(test.noCounts()), misplaced(s.bodies.size()) {
+      : shapes(ofBodies),
+        lattices(bodyLattices(s, ofBodies)),
+        overlap(test),
+        overlaps(test.noCounts()),
+        misplaced(s.bodies.size()) {
     counts.particles.assign(s.bodies.size(), 0);
     counts.clamped.assign(s.bodies.size(), 0);
     counts.filled.assign(s.bodies.size(), 0);
+    counts.volume.assign(s.bodies.size(), 0);
     for (const Body& b : s.bodies) counts.inClamp.emplace_back(b.clamp.size(), 0);
   }
   const Shapes& shapes;
+  std::vector<SampleLattice> lattices;
   const OverlapTest& overlap;
   OverlapCounts overlaps;
   MisplacedSamples misplaced;
@@ -145,9 +155,7 @@ void findDepths(const SignedDistance& shape, const SampleLattice& l, std::span<c
                 double spacing, float* depths) {
   constexpr double least = 0.05;
   for (std::size_t k = 0; k < points.size(); k++) {
-    const std::int64_t point = points[k], row = point / l.count[0];
-    const Vec3d x = l.at(point % l.count[0], row % l.count[1], row / l.count[1]);
-    const double depth = -shape.distanceWithin(x, 0.5 * spacing) / spacing;
+    const double depth = -shape.distanceWithin(l.at(points[k]), 0.5 * spacing) / spacing;
     depths[k] = static_cast<float>(std::clamp(depth, least, 0.5));
   }
 }
@@ -155,9 +163,9 @@ void findDepths(const SignedDistance& shape, const SampleLattice& l, std::span<c
 /// Samples this rank's rows of one body's lattice.
 void sampleBody(World& w, std::size_t b, const Reducer& all, Sampling& found) {
   const SignedDistance& shape = *found.shapes[b];
+  const SampleLattice& l = found.lattices[b];
   const Scene& s = w.scene;
   Continuum& p = w.particles;
-  const SampleLattice l = bodyLattice(s, s.bodies[b], shape);
   // Without a surface, the jitter covers the whole cell. From a smaller jitter, relaxation leads back to the
   // lattice (benchmark taylor_green).
   const double jitter = s.bodies[b].packing != Packing::Relaxed ? 0 : liquidFillsTheBox(s) ? 0.5 : 0.2;
@@ -168,6 +176,8 @@ void sampleBody(World& w, std::size_t b, const Reducer& all, Sampling& found) {
   const std::size_t first = p.owned;
   p.resize(first + points.size(), 0);
   found.counts.particles[b] = static_cast<std::int64_t>(points.size());
+  for (const std::int64_t point : points)
+    found.counts.volume[b] += std::llround(l.mass(point, 1) * perCube / std::pow(s.spacing, 3));
   fillRows(w, b, {l, middleOf(shape), jitter}, points, first, found.counts.inClamp[b]);
   if (p.contactDepth.active) findDepths(shape, l, points, s.spacing, p.contactDepth.data() + first);
   if (hasInitialFill(s, b)) {
@@ -190,6 +200,7 @@ void reduceCounts(const Scene& scene, Continuum& p, Sampling& found, Reducer& al
   all.sum(found.overlaps.count);
   addUp(o.outside, all);
   all.sum(c.filled);
+  all.sum(c.volume);
   if (p.initialFill.active) normaliseInitialFill(scene, p, c.filled, c.particles);
   if (p.clamped.active)
     for (std::size_t i = 0; i < p.owned; i++) c.clamped[p.body[i]] += p.clamped[i] == fixedInPlace;
@@ -265,7 +276,7 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
   Sampling found(w.scene, shapes, overlap);
   for (std::size_t b = 0; b < w.scene.bodies.size(); b++) sampleBody(w, b, all, found);
   setPhase(w.scene, w.modules, w.particles, 0, w.particles.owned);
-  setStartMasses(w.scene, w.particles);
+  setStartMasses(found.lattices, w.particles);
   assignStartFields(w, shapes, all, false);
   reduceCounts(w.scene, w.particles, found, all);
   refuseUnsampled(w.scene, found);
@@ -277,6 +288,8 @@ SamplingReport sampleBodies(World& w, const std::vector<std::shared_ptr<const Si
   report.particles = std::move(found.counts.particles);
   report.clamped = std::move(found.counts.clamped);
   report.removed = found.counts.removed;
+  for (const std::int64_t v : found.counts.volume)
+    report.volume.push_back(static_cast<double>(v) / perCube * std::pow(w.scene.spacing, 3));
   report.outside = std::move(found.misplaced.outside);
   return report;
 }

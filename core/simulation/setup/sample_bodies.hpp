@@ -17,6 +17,7 @@ namespace thaw {
 struct SamplingReport {
   std::vector<std::int64_t> particles;  ///< by body
   std::vector<std::int64_t> clamped;    ///< clamped particles, by body
+  std::vector<double> volume;           ///< m^3, of particles, by body
   std::vector<BodyOverlap> overlaps;
   std::int64_t removed = 0;      ///< number of samples removed by the scene's overlap rule
   std::vector<Outside> outside;  ///< extent outside of the domain, by body

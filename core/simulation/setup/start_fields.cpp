@@ -38,8 +38,7 @@ struct BadValues {
 
 /// Returns the image of x across periodic sides nearest to its lattice point.
 Vec3d placeInBody(const CellGrid& g, const SampleLattice& l, std::uint64_t number, Vec3d x) {
-  const auto point = static_cast<std::int64_t>(number), row = point / l.count[0];
-  const Vec3d latticePoint = l.at(point % l.count[0], row % l.count[1], row / l.count[1]);
+  const Vec3d latticePoint = l.at(static_cast<std::int64_t>(number));
   for (int a = 0; a < 3; a++)
     if (g.periodic[a]) x[a] -= g.period[a] * std::round((x[a] - latticePoint[a]) / g.period[a]);
   return x;
@@ -91,16 +90,6 @@ Vec3d middleOf(const SignedDistance& shape) {
   return (b.min + b.max) * 0.5;
 }
 
-SampleLattice bodyLattice(const Scene& s, const Body& body, const SignedDistance& shape) {
-  const bool solid = solidAtStart(s, body);
-  const Layers layers = solid ? Layers::Cover : Layers::Fit;
-  // Steps in the faces of a liquid box would grow into jets when the liquid is decelerated. Rigid pieces
-  // touch at their particles, so faces and edges need particles at a uniform depth.
-  const bool rigid = solid && s.materials[static_cast<std::size_t>(body.material)].isRigid();
-  return rigid || body.shape.kind == ShapeKind::Box ? turnedLattice(shape, s.spacing, layers)
-                                                    : sampleLattice(shape, s.spacing, layers);
-}
-
 Vec3d startVelocity(const Body& b, const Vec3d& centre, const Vec3d& x) {
   const Vec3d v = b.velocity + cross(b.spin, x - centre);
   return b.velocityField.given() ? v + velocityOf(b.velocityField, centre, x) : v;
@@ -117,13 +106,10 @@ void assignStartFields(World& w, const Shapes& shapes, Reducer& all, bool relaxe
   std::vector<std::uint8_t> wanted(s.bodies.size() + s.emitters.size(), 0);
   for (std::size_t b = 0; b < s.bodies.size(); b++) wanted[b] = varies(s.bodies[b], relaxed);
   if (std::find(wanted.begin(), wanted.end(), 1) == wanted.end()) return;
-  std::vector<SampleLattice> lattices(s.bodies.size());
+  const std::vector<SampleLattice> lattices = bodyLattices(s, shapes);
   std::vector<Vec3d> centres(s.bodies.size());
-  for (std::size_t b = 0; b < s.bodies.size(); b++) {
-    if (!wanted[b]) continue;
-    lattices[b] = bodyLattice(s, s.bodies[b], *shapes[b]);
-    centres[b] = middleOf(*shapes[b]);
-  }
+  for (std::size_t b = 0; b < s.bodies.size(); b++)
+    if (wanted[b]) centres[b] = middleOf(*shapes[b]);
   std::vector<BadValues> bad(s.bodies.size());
   for (std::size_t i = 0; i < p.owned; i++) {
     const std::size_t b = p.body[i];
@@ -138,12 +124,13 @@ void assignStartFields(World& w, const Shapes& shapes, Reducer& all, bool relaxe
   }
   raiseBadValues(s, bad, all);
   setPhase(s, w.modules, p, 0, p.owned);
-  setStartMasses(s, p);
+  setStartMasses(lattices, p);
 }
 
-void setStartMasses(const Scene& s, Continuum& p) {
+void setStartMasses(std::span<const SampleLattice> lattices, Continuum& p) {
   if (!p.restDensity.active) return;
-  for (std::size_t i = 0; i < p.owned; i++) p.mass[i] = p.restDensity[i] * s.spacing * s.spacing * s.spacing;
+  for (std::size_t i = 0; i < p.owned; i++)
+    p.mass[i] = lattices[p.body[i]].mass(static_cast<std::int64_t>(numberOf(p.id[i])), p.restDensity[i]);
 }
 
 }  // namespace thaw

@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Initial velocities and temperatures that depend on position: spin, gradients, expressions.
 #pragma once
-#include <memory>
+#include <span>
 #include <vector>
 
-#include "core/geometry/sampling/sampling.hpp"
+#include "core/domain/body_lattices.hpp"
 #include "core/halo/halo.hpp"
 #include "core/simulation/world/world.hpp"
 
 namespace thaw {
 
-using Shapes = std::vector<std::shared_ptr<const SignedDistance>>;
-
 /// Middle of the bounding box (m).
 Vec3d middleOf(const SignedDistance& shape);
-
-/// Returns the lattice on which a body's particles are sampled. The ids contain the numbers of lattice
-/// points.
-SampleLattice bodyLattice(const Scene& scene, const Body& body, const SignedDistance& shape);
 
 /// Initial velocity (m/s) and temperature (K) at x (m). centre: of the body's bounding box.
 Vec3d startVelocity(const Body& body, const Vec3d& centre, const Vec3d& x);
@@ -29,8 +23,8 @@ double startTemperature(const Body& body, const Vec3d& centre, const Vec3d& x);
 /// if a field has an invalid value at a particle (core/scene/field_values.hpp). Collective.
 void assignStartFields(World& world, const Shapes& shapes, Reducer& all, bool relaxed);
 
-/// If phases differ in density, sets the mass of particles to that of a lattice cell at their density at
-/// rest. Requires: setPhase.
-void setStartMasses(const Scene& scene, Continuum& particles);
+/// If phases differ in density, sets the mass of particles to that of a cell of their body's lattice at their
+/// density at rest. Requires: setPhase.
+void setStartMasses(std::span<const SampleLattice> lattices, Continuum& particles);
 
 }  // namespace thaw

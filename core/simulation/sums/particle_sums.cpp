@@ -46,9 +46,9 @@ PairSums pairSumsOf(World& w, const PairSumWork& work) {
   s.uniform = w.modules.uniform;
   if (s.uniform) {
     const Material& m = w.scene.materials[0];
-    const double dx = w.scene.spacing, h = w.grid.support;
-    s.volume = m.density * dx * dx * dx * (1 / (m.density * h * h * h));  // the same rounding as in
-                                                                          // packRecords
+    const double h = w.grid.support;
+    if (p.owned > 0) s.volume = p.mass[0] * (1 / (m.density * h * h * h));  // the same rounding as in
+                                                                           // packRecords
     s.viscosity = viscosityAt(m, 1, 293);
     s.conductivity = conductivityOf(n.heat, m, 1);
     s.artificial = work.artificialViscosity;
