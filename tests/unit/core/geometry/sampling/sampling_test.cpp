@@ -111,17 +111,6 @@ TEST(Sampling, RefusesUnboundedShapes) {
   EXPECT_EQ(countSamples(BoxDistance({1, 1, 0.01}), thin, {0, thin.rows()}), 100);
 }
 
-TEST(Sampling, LayersThatFitStayHalfASpacingInside) {
-  const BoxDistance box({1.074, 1.0, 0.75});  // edges
-  const SampleLattice cover = sampleLattice(box, 0.1), fit = sampleLattice(box, 0.1, Layers::Fit);
-  EXPECT_EQ(cover.count[0], 11);
-  EXPECT_EQ(fit.count[0], 10);
-  EXPECT_EQ(cover.count[1], 10);
-  EXPECT_EQ(fit.count[1], 10);
-  EXPECT_EQ(fit.count[2], 7);
-  EXPECT_GE(fit.at(0, 0, 0).x, box.bounds().min.x + 0.05);
-}
-
 TEST(Sampling, JitterIsSmallAndIndependent) {
   const Vec3d x{1, 2, 3}, a = jittered(x, 0.2, 0.1, 1, 5);
   EXPECT_EQ(a, jittered(x, 0.2, 0.1, 1, 5));

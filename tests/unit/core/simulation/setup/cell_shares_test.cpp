@@ -28,25 +28,27 @@ TEST(CellFractions, WholeCellsAreFull) {
   for (const std::int32_t s : cellFractions(box, l, points)) EXPECT_EQ(s, wholeCell);
 }
 
-TEST(CellFractions, HoldTheVolumeOfABoxWithPartialCells) {  // 5.35 cells: six points, the outer cells are two
+TEST(CellFractions, HoldTheVolumeOfABoxWithPartialCells) {  // 1.35 cells: two points, the cells are two
                                                             // thirds full
-  const BoxDistance box({0.535, 0.4, 0.4});
+  const BoxDistance box({0.135, 0.4, 0.4});
   const SampleLattice l = sampleLattice(box, 0.1);
   const std::vector<std::int64_t> points = pointsOf(box, l);
-  ASSERT_EQ(points.size(), 96u);
-  const std::vector<std::int32_t> shares = cellFractions(box, l, points);
-  for (std::size_t k = 0; k < points.size(); k++) {
-    const std::int64_t i = points[k] % l.count[0];
-    EXPECT_EQ(shares[k], i == 0 || i == 5 ? 48 : 64);  // three of four layers of samples
-  }
+  ASSERT_EQ(points.size(), 32u);
+  for (const std::int32_t s : cellFractions(box, l, points)) EXPECT_EQ(s, 48);  // three of four layers of samples
+}
+
+TEST(CellFractions, StretchedCellsAreFull) {
+  const BoxDistance box({0.535, 0.448, 0.4});
+  const SampleLattice l = sampleLattice(box, 0.1);
+  for (const std::int32_t s : cellFractions(box, l, pointsOf(box, l))) EXPECT_EQ(s, wholeCell);
 }
 
 TEST(CellFractions, HoldTheVolumeOfABallOnAnyNumberOfRanks) {
-  const SphereDistance ball(0.83);
+  const SphereDistance ball(0.885);
   const SampleLattice l = sampleLattice(ball, 0.1);
   const std::vector<std::int64_t> points = pointsOf(ball, l);
   const std::vector<std::int32_t> shares = cellFractions(ball, l, points);
-  const double volume = 4.0 / 3 * std::numbers::pi * 0.83 * 0.83 * 0.83, cells = volume / 1e-3;
+  const double volume = 4.0 / 3 * std::numbers::pi * 0.885 * 0.885 * 0.885, cells = volume / l.mass(0, 1);
   EXPECT_NEAR(static_cast<double>(std::accumulate(shares.begin(), shares.end(), std::int64_t{0})) / wholeCell,
               cells, 0.002 * cells);
   // the share of a point is its nearest region, by a finer lattice of samples
@@ -55,7 +57,7 @@ TEST(CellFractions, HoldTheVolumeOfABallOnAnyNumberOfRanks) {
     least = std::min(least, shares[k]), most = std::max(most, shares[k]);
     const Vec3d x = l.at(points[k] % l.count[0], points[k] / l.count[0] % l.count[1],
                          points[k] / l.count[0] / l.count[1]);
-    if (length(x) < 0.83 - 0.1 * 1.74) { EXPECT_EQ(shares[k], wholeCell); }
+    if (length(x) < 0.885 - 0.1 * 1.74) { EXPECT_EQ(shares[k], wholeCell); }
   }
   EXPECT_LT(least, 48);
   EXPECT_GT(most, 70);
