@@ -185,7 +185,7 @@ WallSpring wallSpring(const WallContext& x, std::size_t row) {
   if (p.wallOffset.active && p.wallOffset[row] > 0)
     rest = std::min(rest, static_cast<double>(p.wallOffset[row]));
   WallSpring spring;
-  spring.length = dx * (rest + f * (0.25 - rest));
+  spring.length = dx * (rest + f * (springOfLiquid - rest));
   spring.stiffness = (contactModulus(m, f) + f * liquid) * dx * filled;
   return spring;
 }

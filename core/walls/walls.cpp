@@ -57,6 +57,25 @@ bool holdsSample(const Wall& wall, const Vec3d& x, double spacing) {
   return wall.present && wall.shape->distanceWithin(toRest(wall.pose, x), spacing) < -0.25 * spacing;
 }
 
+Vec3d clearOfWalls(const Walls& walls, double distance, const Vec3d& x) {
+  constexpr int mostMoves = 4;
+  Vec3d clear = x;
+  bool moved = true;
+  for (int k = 0; k < mostMoves && moved; k++) {
+    moved = false;
+    for (const Wall& w : walls.list) {
+      const Vec3d rest = toRest(w.pose, clear);
+      if (!w.present || !nearBounds(w.bounds, rest, distance)) continue;
+      Vec3d normal;
+      const double d = w.shape->distanceWithin(rest, 2 * distance, &normal);
+      if (d >= distance || d < -distance) continue;
+      clear = fromRest(w.pose, rest + normal * (distance * (1 + 1e-9) - d));
+      moved = true;
+    }
+  }
+  return clear;
+}
+
 Vec3d wallVelocity(const Wall& w, const Vec3d& x) { return velocityAt(w.pose, x); }
 
 }  // namespace thaw

@@ -56,6 +56,14 @@ Vec3d wallVelocity(const Wall& wall, const Vec3d& x);
 /// invalid. spacing: m.
 bool holdsSample(const Wall& wall, const Vec3d& x, double spacing);
 
+/// Length of springs between walls and liquid, in spacings.
+inline constexpr double springOfLiquid = 0.25;
+
+/// Returns a position moved away from all present walls by `distance` (m) at least. In a narrower gap, the
+/// distance is as large as a few moves allow. Walls that contain the position deeper than `distance` are
+/// ignored.
+Vec3d clearOfWalls(const Walls& walls, double distance, const Vec3d& x);
+
 /// Contact of a particle with a wall. The shares exclude contributions of other walls, at corners and where
 /// walls coincide.
 struct WallContact {

@@ -63,6 +63,7 @@ void fillRows(World& w, std::size_t b, const BodyLattice& lattice, std::span<con
   const Material& m = s.materials[static_cast<std::size_t>(body.material)];
   Continuum& p = w.particles;
   const double dx = s.spacing;
+  const bool liquid = !solidAtStart(s, body);
   std::vector<std::shared_ptr<const SignedDistance>> clamps;
   for (const Shape& c : body.clamp) clamps.push_back(makeSignedDistance(c));
   const auto inClamp = [&](const SignedDistance& c, Vec3d x) {  // tests the position in the body, and the
@@ -73,7 +74,8 @@ void fillRows(World& w, std::size_t b, const BodyLattice& lattice, std::span<con
     const std::int64_t point = points[i - first];
     const Vec3d x = l.at(point);
     p.id[i] = particleId(b, static_cast<std::uint64_t>(point));
-    p.position[i] = jitter > 0 ? jittered(x, jitter, dx, s.seed, p.id[i]) : x;
+    const Vec3d start = jitter > 0 ? jittered(x, jitter, dx, s.seed, p.id[i]) : x;
+    p.position[i] = liquid ? clearOfWalls(w.walls, springOfLiquid * dx, start) : start;
     p.velocity[i] = body.velocity + cross(body.spin, x - centre);
     p.mass[i] = l.mass(point, m.density);
     p.material[i] = static_cast<std::uint16_t>(body.material);

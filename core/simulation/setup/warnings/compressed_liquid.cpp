@@ -14,7 +14,7 @@ namespace {
 /// Advice for liquid that starts too close to walls or other bodies.
 const char* remedyOf(const Shape& shape) {
   switch (shape.kind) {
-    case ShapeKind::Box: return "make sizes whole numbers of spacings, or leave more room";
+    case ShapeKind::Box: return "leave more room, or make thin boxes a whole number of spacings wide";
     case ShapeKind::Difference:
       return "enlarge the cut-out by half a spacing on each side, or leave more room";
     default: return "leave more room, or reduce the spacing";
