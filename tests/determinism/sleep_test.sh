@@ -103,7 +103,7 @@ place = { rotate_x = "30 deg", move = [0, 0, 0.15] }
 name = "rod"
 cylinder = { radius = 0.04, height = 0.24 }
 material = "hard"
-place = { rotate_y = "80 deg", move = [0, 0.03, 0.3] }
+place = { rotate_y = "80 deg", move = [0, 0.03, 0.28] }
 [[obstacle]]
 name = "floor"
 plane = { }

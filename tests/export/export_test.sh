@@ -54,8 +54,8 @@ if [ $? -eq 2 ] && grep -q "is built without OpenVDB" "$work/log"; then
 elif ! /usr/bin/python3 -c 'import pyopenvdb' 2>/dev/null; then
   skipped+=("OpenVDB's module for Python (python3-openvdb)")
 else
-  # a ball of 5 cm, whose particles have 171 times the volume of their spacing cubed
-  /usr/bin/python3 "$source_dir/tests/export/read_vdb.py" "$work/vdb/scene_all_000000.vdb" 5.77e-4 \
+  # a ball of a radius of 5 cm
+  /usr/bin/python3 "$source_dir/tests/export/read_vdb.py" "$work/vdb/scene_all_000000.vdb" 5.236e-4 \
     >"$work/log" 2>&1
   expectExit 0 "OpenVDB"
   readers=$((readers + 1))
@@ -63,7 +63,7 @@ fi
 
 export --as vtkhdf --what all --out "$work/run.vtkhdf"; expectExit 0 "vtkhdf"
 if /usr/bin/python3 -c 'import h5py, numpy' 2>/dev/null; then
-  /usr/bin/python3 "$source_dir/tests/export/read_vtkhdf.py" "$work/run.vtkhdf" 5.77e-4 >"$work/log" 2>&1
+  /usr/bin/python3 "$source_dir/tests/export/read_vtkhdf.py" "$work/run.vtkhdf" 5.236e-4 >"$work/log" 2>&1
   expectExit 0 "the VTKHDF file"
   readers=$((readers + 1))
 else

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plastic flow of whole bodies at large strain.
 #include "benchmarks/accuracy/solid/solid_trials.hpp"
+#include "core/domain/body_lattices.hpp"
+#include "core/domain/emit.hpp"
 
 #include "core/simulation/sums/solid_step.hpp"
 #include "core/solid/laws/plasticity.hpp"
@@ -103,14 +105,22 @@ double outside(double x, const double (&range)[2]) {
   return std::max({0.0, range[0] / x - 1, x / range[1] - 1});
 }
 
+/// Largest radius (m) of the surface around the z axis. It is half a cell outside of the outermost particles,
+/// and the cells are stretched as the particle's distance from the axis.
+double surfaceRadius(Trial& r) {
+  const Scene& s = r.world.scene;
+  const Shapes shapes{makeSignedDistance(s.bodies[0].shape)};
+  const SampleLattice lattice = bodyLattices(s, shapes)[0];
+  return largest(r, [&](const World& w, std::size_t i) {
+    const Continuum& p = w.particles;
+    const Vec3d start = lattice.at(static_cast<std::int64_t>(numberOf(p.id[i])));
+    return std::hypot(p.position[i].x, p.position[i].y) *
+           (1 + 0.5 * lattice.cell.x / std::hypot(start.x, start.y));
+  });
+}
+
 std::vector<Figure> measureBar(Trial& r) {
-  const double lengthNow = 1e3 * heightOf(r);
-  const double radius = 1e3 *
-                        (largest(r,
-                                 [](const World& w, std::size_t i) {
-                                   return std::hypot(w.particles.position[i].x, w.particles.position[i].y);
-                                 }) +
-                         0.5 * r.spacing());
+  const double lengthNow = 1e3 * heightOf(r), radius = 1e3 * surfaceRadius(r);
   return {{"length", outside(lengthNow, lengths), 0.02},
           {"mushroom radius", outside(radius, radii), 0.05},
           {"length (mm)", lengthNow},
