@@ -36,10 +36,13 @@ scene, spacing, out, steps = sys.argv[1:]
 sim = thaw.Simulation(thaw.Scene(scene, spacing=float(spacing)), out)
 '''
 RUN = START + 'sim.run(steps=int(steps))'
-LOOP = START + '''times = []
+LOOP = (
+    START
+    + '''times = []
 while sim.steps < int(steps) and sim.step():
     times.append(sim.time)
 '''
+)
 
 
 def seconds(action):
@@ -52,16 +55,22 @@ def instructions(program, spacing, steps, folder):
     """Instructions of a Python program on a scene, counted by valgrind."""
     out = f'{folder}/counted{steps}'
     line = ['valgrind', '--tool=callgrind', f'--callgrind-out-file={out}', sys.executable, '-c', program]
-    subprocess.run([*line, SCENE, str(spacing), tempfile.mkdtemp(dir=folder) + '/out', str(steps)],
-                   check=True, capture_output=True, env=ENVIRONMENT)
+    subprocess.run(
+        [*line, SCENE, str(spacing), tempfile.mkdtemp(dir=folder) + '/out', str(steps)],
+        check=True,
+        capture_output=True,
+        env=ENVIRONMENT,
+    )
     with open(out, encoding='utf-8') as file:
         return next(int(line.split()[1]) for line in file if line.startswith(('summary:', 'totals:')))
 
 
 def costOfLoop(spacing, folder):
     """Instructions of a loop of step() over those of run(), less 1."""
-    looped, whole = (instructions(program, spacing, MANY, folder) -
-                     instructions(program, spacing, FEW, folder) for program in (LOOP, RUN))
+    looped, whole = (
+        instructions(program, spacing, MANY, folder) - instructions(program, spacing, FEW, folder)
+        for program in (LOOP, RUN)
+    )
     return looped / whole - 1
 
 

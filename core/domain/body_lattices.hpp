@@ -14,8 +14,8 @@ using Shapes = std::vector<std::shared_ptr<const SignedDistance>>;
 
 /// Returns the lattices of bodies, by body. The ids of particles contain the numbers of lattice points.
 /// Bodies that remove each other's particles where they overlap (Numerics::overlap) have one lattice, with
-/// faces of cells at the faces of their bounding boxes. A solid thus fills the hole that it makes in a liquid,
-/// and pressures of the liquid on it are in balance.
+/// faces of cells at the faces of their bounding boxes. A solid thus fills the hole that it makes in a
+/// liquid, and the pressures on it are in balance.
 std::vector<SampleLattice> bodyLattices(const Scene& scene, const Shapes& shapes);
 
 }  // namespace thaw

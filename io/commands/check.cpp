@@ -70,8 +70,7 @@ void countBodies(const World& w, const SamplingReport& sampled, Reducer& all, Ch
   for (std::size_t b = 0; b < bodies.size(); b++) {
     const Material& m = w.scene.materials[static_cast<std::size_t>(bodies[b].material)];
     const double density = startDensity(w.scene, w.modules, bodies[b]);
-    CheckedBody body{bodies[b].name, m.name, sampled.particles[b], 0,
-                     density * sampled.volume[b]};
+    CheckedBody body{bodies[b].name, m.name, sampled.particles[b], 0, density * sampled.volume[b]};
     body.hasClamps = !bodies[b].clamp.empty();
     if (body.hasClamps) body.clamped = sampled.clamped[b];
     if (b < volumes.size() && sampled.removed == 0) body.shapeMass = density * volumes[b];

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Overlapping bodies that share a lattice (core/domain/body_lattices.hpp), at a spacing that fits none of them,
-# have the same bits on 1, 2, 3, 4 and 7 ranks and over restarts.
+# Overlapping bodies that share a lattice (core/domain/body_lattices.hpp), at a spacing that fits none of
+# them, have the same bits on 1, 2, 3, 4 and 7 ranks and over restarts.
 . "$(dirname "$0")/../support/run.sh"
 scene=tub
 cat >"$work/tub.toml" <<'SCENE'

@@ -10,9 +10,9 @@
 namespace thaw {
 namespace {
 
-constexpr double mostPoints = 1099511627776.0;               // 2^40
-constexpr double shortestCell = 0.75, longestCell = 1.3;     // spacings
-constexpr double rounding = 1e-6;                            // spacings, of equal lengths
+constexpr double mostPoints = 1099511627776.0;            // 2^40
+constexpr double shortestCell = 0.75, longestCell = 1.3;  // spacings
+constexpr double rounding = 1e-6;                         // spacings, of equal lengths
 
 /// Cells along a length: their number, and the edge (m) of each. fit: the edges are in the allowed range.
 struct Cells {

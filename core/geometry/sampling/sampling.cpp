@@ -10,7 +10,7 @@
 namespace thaw {
 namespace {
 
-constexpr std::size_t pointsAtOnce = 256;       // points of a row per batch
+constexpr std::size_t pointsAtOnce = 256;  // points of a row per batch
 
 }  // namespace
 

@@ -28,7 +28,7 @@ class CellFractions {
     const double d = shape_.distanceWithin(middle(c), 3 * edge_);
     if (-d > 3 * halfDiagonal * edge_) return wholeCell;
     std::int32_t share = -d > halfDiagonal * edge_ ? wholeCell
-                                                        : static_cast<std::int32_t>(samplesIn(c).size());
+                                                   : static_cast<std::int32_t>(samplesIn(c).size());
     forAround(c, [&](const Cell& o) {
       if (isInside(o)) return;
       for (const Piece& p : piecesOf(o))
@@ -44,7 +44,7 @@ class CellFractions {
   };
   const SignedDistance& shape_;
   const SampleLattice& l_;
-  double edge_;  // m, longest edge of a cell
+  double edge_;                                                  // m, longest edge of a cell
   std::unordered_map<std::int64_t, std::vector<Piece>> pieces_;  // by cell without a particle: the
                                                                  // particles that own its parts
 

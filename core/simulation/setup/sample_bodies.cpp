@@ -99,7 +99,7 @@ constexpr double perCube = 1 << 20;
 struct SampleCounts {
   std::vector<std::int64_t> particles, clamped;
   std::vector<std::int64_t> filled;                ///< 64ths of cells (cellFractions)
-  std::vector<std::int64_t> volume;                ///< of cells; perCube: one cubic spacing
+  std::vector<std::int64_t> volume;                ///< sum of cells; perCube: one cubic spacing
   std::vector<std::vector<std::int64_t>> inClamp;  ///< by body and clamp
   std::int64_t removed = 0;                        ///< by the overlap rule
 };

@@ -47,8 +47,9 @@ PairSums pairSumsOf(World& w, const PairSumWork& work) {
   if (s.uniform) {
     const Material& m = w.scene.materials[0];
     const double h = w.grid.support;
-    if (p.owned > 0) s.volume = p.mass[0] * (1 / (m.density * h * h * h));  // the same rounding as in
-                                                                           // packRecords
+    if (p.owned > 0)
+      s.volume = p.mass[0] * (1 / (m.density * h * h * h));  // the same rounding as in
+                                                             // packRecords
     s.viscosity = viscosityAt(m, 1, 293);
     s.conductivity = conductivityOf(n.heat, m, 1);
     s.artificial = work.artificialViscosity;

@@ -34,7 +34,8 @@ TEST(CellFractions, HoldTheVolumeOfABoxWithPartialCells) {  // 1.35 cells: two p
   const SampleLattice l = sampleLattice(box, 0.1);
   const std::vector<std::int64_t> points = pointsOf(box, l);
   ASSERT_EQ(points.size(), 32u);
-  for (const std::int32_t s : cellFractions(box, l, points)) EXPECT_EQ(s, 48);  // three of four layers of samples
+  // three of four layers of samples
+  for (const std::int32_t s : cellFractions(box, l, points)) EXPECT_EQ(s, 48);
 }
 
 TEST(CellFractions, StretchedCellsAreFull) {
