@@ -34,7 +34,7 @@ def trailingComments(text):
 
 
 COLUMN = re.compile(
-    r'(  (?:Guest)?Column<.*> \w+{\*this, "[^"]*", "[^"]*", Keep::\w+,) ' r'"(.*)"(, Rows::\w+)?};$'
+    r'(  (?:Guest)?Column<.*> \w+{(?:\*this|table), "[^"]*", "[^"]*", Keep::\w+,) ' r'"(.*)"(, Rows::\w+)?};$'
 )
 
 
