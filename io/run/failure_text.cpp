@@ -16,6 +16,14 @@ std::string shortVectorText(const Vec3d& v) { return fmt::format("({:.4g}, {:.4g
 
 namespace {
 
+/// Returns a value above a limit, with so many digits that they differ.
+std::string above(double limit, double value) {
+  int digits = 3;
+  while (digits < 17 && fmt::format("{:.{}g}", value, digits) == fmt::format("{:.{}g}", limit, digits))
+    digits++;
+  return fmt::format("{:.{}g}", value, digits);
+}
+
 std::string seen(const World& w, const StepTools& t, const StepOutcome& o, const FailingParticle& s) {
   const MonitorLimits& b = t.limits.monitor;
   switch (o.failure) {
@@ -25,13 +33,13 @@ std::string seen(const World& w, const StepTools& t, const StepOutcome& o, const
                  : "a value that is not a finite number";
     case Failure::Speed:
       return fmt::format(
-          "a speed of {:.6g} m/s exceeds the limit of {:.6g} m/s (factor `numerics.watch_speed = {:g}`, with "
+          "a speed of {} m/s exceeds the limit of {:.6g} m/s (factor `numerics.watch_speed = {:g}`, with "
           "{:.3g} m/s expected)",
-          s.value, b.speed, w.scene.numerics.watchSpeed, b.expected);
+          above(b.speed, s.value), b.speed, w.scene.numerics.watchSpeed, b.expected);
     case Failure::Density:
       return fmt::format(
-          "a density of {:.3g} times the rest density exceeds `numerics.watch_density` ({:.3g})", s.value,
-          b.relativeDensity);
+          "a density of {} times the rest density exceeds `numerics.watch_density` ({})",
+          above(b.relativeDensity, s.value), b.relativeDensity);
     case Failure::Inverted:
       return fmt::format(
           "the fraction of inverted solid particles exceeds `numerics.watch_inverted` ({:.3g}), with det F "
@@ -59,7 +67,7 @@ std::string failedCheck(const World& w, const StepTools& t, const StepOutcome& o
       return fmt::format("a speed exceeds the limit of {:.6g} m/s (factor `numerics.watch_speed = {:g}`)",
                          b.speed, w.scene.numerics.watchSpeed);
     case Failure::Density:
-      return fmt::format("a density exceeds `numerics.watch_density` ({:.3g} times the rest density)",
+      return fmt::format("a density exceeds `numerics.watch_density` ({} times the rest density)",
                          b.relativeDensity);
     case Failure::Step:
       return fmt::format(

@@ -69,7 +69,8 @@ watch() {  # watch SCENE KEY=VALUE MESSAGE [END [MORE=VALUE]]
     "$1 with $2"
 }
 watch dam_break watch_speed=1e-3 "a speed of .* m/s exceeds the limit of .* m/s (factor .numerics.watch_speed"
-watch dam_break watch_density=1.001 "a density of .* times the rest density"
+watch dam_break watch_density=1.001 \
+  "a density of 1\.00[1-9].* times the rest density exceeds .numerics.watch_density. (1.001)"
 watch drop watch_step=0.99 "the time step, limited by .*, fell to" \
   "half the step would be below .* (.numerics.watch_step.)"
 watch dam_break watch_energy=1e-9 "unexplained gain of mechanical energy since \(step\|the run began\)" "" \
