@@ -90,7 +90,7 @@ awk -v folder="$manual/" '/^```/ { file = "" }
   start && /^(\/\/|#) [A-Za-z_]+\.(cpp|txt|toml)(,|$)/ { file = folder $2; sub(/,$/, "", file) }
   { start = /^```(cpp|cmake|toml)/ }
   file != "" { print > file }' "$root/docs/howto/library.md"
-for program in springs quartic pebble; do
+for program in heater springs quartic pebble; do
   folder=$dir/$program
   mkdir "$folder"
   cp "$manual/$program"* "$folder"
