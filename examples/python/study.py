@@ -63,7 +63,8 @@ def simulate(plate, conductivity, folder):
         sim = thaw.Simulation(sceneOf(plate, conductivity), out, resume=True)
         sim.run()
         sim.finish()
-        print(f'{out}: {sim.steps} steps', flush=True)
+        # One write, so that lines of two processes do not mix.
+        print(f'{out}: {sim.steps} steps\n', end='', flush=True)
     return float(thaw.open(out).ledger['heat_in'][-1]) / 1000
 
 
