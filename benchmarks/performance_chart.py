@@ -5,8 +5,8 @@
 The text is performance/text.md; the figures are in docs/performance/ and docs/scaling/.
 
 performance_chart.py [--check]    --check compares the page with the figures and needs no matplotlib
-Placeholders of performance/text.md: {{table}}, {{view}}, {{machine}}, and {{predicted PARTICLES RANKS}}, an
-efficiency of the scaling model.
+Placeholders of performance/text.md: {{table}}, {{carried}}, {{view}}, {{machine}}, and {{predicted PARTICLES
+RANKS}}, an efficiency of the scaling model.
 """
 import csv
 import os
@@ -141,10 +141,18 @@ def view():
     )
 
 
+def carried():
+    """Returns the cost of carried densities over summed ones, in time and memory."""
+    summed, own = rowsOf("performance", "carried.csv")
+    time = float(summed["ratio"]) / float(own["ratio"])
+    memory = float(own["bytes_per_particle"]) - float(summed["bytes_per_particle"])
+    return f"{time:.2f} times the time of summed ones, and {memory:.0f} bytes more per particle"
+
+
 def page():
     with open(os.path.join(HERE, "performance", "text.md")) as f:
         text = f.read()
-    made = {"view": view, "table": table, "machine": machine, "predicted": predicted}
+    made = {"view": view, "table": table, "machine": machine, "predicted": predicted, "carried": carried}
     return re.sub(r"\{\{(\w+)\s*([^}]*)\}\}", lambda m: made[m[1]](*m[2].split()), text)
 
 

@@ -37,9 +37,8 @@ std::string seen(const World& w, const StepTools& t, const StepOutcome& o, const
           "{:.3g} m/s expected)",
           above(b.speed, s.value), b.speed, w.scene.numerics.watchSpeed, b.expected);
     case Failure::Density:
-      return fmt::format(
-          "a density of {} times the rest density exceeds `numerics.watch_density` ({})",
-          above(b.relativeDensity, s.value), b.relativeDensity);
+      return fmt::format("a density of {} times the rest density exceeds `numerics.watch_density` ({})",
+                         above(b.relativeDensity, s.value), b.relativeDensity);
     case Failure::Inverted:
       return fmt::format(
           "the fraction of inverted solid particles exceeds `numerics.watch_inverted` ({:.3g}), with det F "
